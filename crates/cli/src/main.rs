@@ -1,0 +1,3 @@
+//! The `pocketry` command.
+
+fn main() {}

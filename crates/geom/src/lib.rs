@@ -1,0 +1,17 @@
+//! Geometry of pockets: points, lines and arcs, regions, the skeleton and the offset engines.
+//!
+//! Everything is in millimetres and radians.
+
+pub mod bbox;
+pub mod contour;
+pub mod point;
+pub mod region;
+pub mod segment;
+pub mod skeleton;
+pub mod tolerance;
+
+pub use bbox::BBox;
+pub use contour::Contour;
+pub use point::{Point, Vec2, point, vec2};
+pub use region::{Pocket, Region};
+pub use segment::{Arc, Line, Segment};

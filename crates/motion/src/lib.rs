@@ -1,0 +1,5 @@
+//! Tools, stock, feeds and programs of moves: what planners make, posts write and nobody else shares.
+
+pub mod program;
+
+pub use program::{FeedKind, Move, Point3, Program};
