@@ -1,5 +1,7 @@
 //! Tools, stock, feeds and programs of moves: what planners make, posts write and nobody else shares.
 
 pub mod program;
+pub mod setup;
 
 pub use program::{FeedKind, Move, Point3, Program};
+pub use setup::{Direction, Feeds, Heights, Stock, Tool};
