@@ -5,6 +5,7 @@
 pub mod bbox;
 pub mod contour;
 pub mod point;
+pub mod quadrature;
 pub mod region;
 pub mod segment;
 pub mod skeleton;
