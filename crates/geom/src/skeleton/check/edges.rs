@@ -22,6 +22,14 @@ impl Judge<'_> {
         }
     }
 
+    /// The ends of an edge and `between` points within.
+    pub(super) fn polyline(&self, e: EdgeId, between: u32) -> Vec<Point> {
+        let mut points = vec![self.origin_point(e)];
+        points.extend((1..=between).map(|k| self.sample(e, f64::from(k) / f64::from(between + 1)).x));
+        points.push(self.target_point(e));
+        points
+    }
+
     fn check_edge(&mut self, e: EdgeId) {
         let (s, size) = (self.skeleton, self.size());
         let ends = [s.origin_clearance(e), s.target_clearance(e)];

@@ -91,6 +91,16 @@ impl Skeleton {
     }
 }
 
+/// Every edge as a polyline: its ends and `between` points within, derived from the definition as the check does; only
+/// the ends where the skeleton is too broken to be walked.
+pub fn edge_polylines(skeleton: &Skeleton, region: &Region, between: u32) -> Vec<Vec<Point>> {
+    let options = CheckOptions { max_faults: 0, brute_force_up_to: usize::MAX, ..CheckOptions::default() };
+    let mut judge = Judge::new(skeleton, region, &options);
+    let sound = judge.check_structure();
+    let between = if sound { between } else { 0 };
+    (0..skeleton.half_edges().len() as EdgeId).step_by(2).map(|e| judge.polyline(e, between)).collect()
+}
+
 /// What all parts of the check share.
 struct Judge<'a> {
     skeleton: &'a Skeleton,
