@@ -175,7 +175,9 @@ fn run_file(records: Vec<Record>, options: &Arc<Options>) -> Table {
             let mut mine = Vec::new();
             while let Some(record) = records.get(next.fetch_add(1, Ordering::Relaxed)) {
                 let k = (std::ptr::from_ref(record) as usize - records.as_ptr() as usize) / size_of::<Record>();
-                mine.push((k, watched(&record.loops, options)));
+                let outcome = watched(&record.loops, options);
+                tell(record, &outcome, options);
+                mine.push((k, outcome));
             }
             mine
         };
@@ -186,7 +188,6 @@ fn run_file(records: Vec<Record>, options: &Arc<Options>) -> Table {
     let mut table = Table::default();
     for (k, outcome) in &outcomes {
         table.add(&records[*k].id, outcome);
-        tell(&records[*k], outcome, options);
     }
     table
 }
@@ -211,7 +212,7 @@ fn watched(loops: &Loops, options: &Arc<Options>) -> Outcome {
 
 fn judge(loops: &Loops, check: &CheckOptions) -> Outcome {
     let region = match corpus::region(loops) {
-        Ok(healed) => healed.region,
+        Ok(region) => region,
         Err(error) => return Outcome::Refused(error.to_string()),
     };
     let clock = Instant::now();
@@ -283,7 +284,7 @@ fn tell(record: &Record, outcome: &Outcome, options: &Arc<Options>) {
 fn draw(record: &Record, outcome: &Outcome, options: &Options) {
     let (Some(folder), Outcome::Checked { report, .. }) = (&options.svg, outcome) else { return };
     let region: Region = match corpus::region(&record.loops) {
-        Ok(healed) => healed.region,
+        Ok(region) => region,
         Err(_) => return,
     };
     let Ok(skeleton) = Skeleton::build(&region) else { return };

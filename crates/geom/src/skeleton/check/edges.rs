@@ -31,49 +31,46 @@ impl Judge<'_> {
     }
 
     fn check_edge(&mut self, e: EdgeId) {
-        let (s, size) = (self.skeleton, self.size());
-        let ends = [s.origin_clearance(e), s.target_clearance(e)];
-        let mut last = ends[0];
-        let rises = ends[1] >= ends[0];
-        let mut slip = 0.0_f64;
+        let size = self.size();
         for k in 1..=self.options.samples {
             let t = f64::from(k) / f64::from(self.options.samples + 1);
             let sample = self.sample(e, t);
-            self.report.samples += 1;
-            if sample.mismatch.is_nan() || sample.mismatch > self.options.clearance * size {
-                self.report.worst_edge = self.report.worst_edge.max(sample.mismatch / size);
-                self.fault(FaultKind::EdgeNotEquidistant, Part::Edge(e), sample.x, sample.mismatch / size);
-                return;
-            }
             let off = (self.nearest.distance(sample.x) - sample.r).abs().max(sample.mismatch) / size;
+            let beyond = self.beyond_ends(e, sample.r) / size;
+            self.report.samples += 1;
             self.report.worst_edge = self.report.worst_edge.max(off);
-            if off > self.options.clearance {
-                self.fault(FaultKind::EdgeClearance, Part::Edge(e), sample.x, off);
-                return;
-            }
-            slip = slip.max(if rises { last - sample.r } else { sample.r - last });
-            last = sample.r;
-        }
-        slip = slip.max(if rises { last - ends[1] } else { ends[1] - last }) / size;
-        if slip > self.options.clearance {
-            self.fault(FaultKind::NotMonotone, Part::Edge(e), self.origin_point(e), slip);
+            let kind = match self.options.clearance {
+                limit if sample.mismatch > limit * size => FaultKind::EdgeNotEquidistant,
+                limit if off > limit => FaultKind::EdgeClearance,
+                limit if beyond > limit => FaultKind::NotMonotone,
+                _ => continue,
+            };
+            self.fault(kind, Part::Edge(e), sample.x, off.max(beyond));
+            return;
         }
     }
 
-    /// The point of an edge at fraction `t` of its feet's way. It is found from the foot on either site and, where
-    /// both feet hardly move (a spoke), on the chord; of these, the one that fits both sites best.
+    /// How far a clearance lies outside those of an edge's ends: a bisector's clearance has its extrema at apexes, so
+    /// it is monotone between two of its points exactly where it stays between their clearances.
+    fn beyond_ends(&self, e: EdgeId, r: f64) -> f64 {
+        let (u, v) = (self.skeleton.origin_clearance(e), self.skeleton.target_clearance(e));
+        (u.min(v) - r).max(r - u.max(v)).max(0.0)
+    }
+
+    /// A point of an edge, about at fraction `t` of the way: on the chord where that is on the bisector (straight and
+    /// very short edges), else at this fraction of the feet's way on either site. Of these, the one that fits best.
     fn sample(&self, e: EdgeId, t: f64) -> Sample {
         let twin = Skeleton::twin(e);
-        let good = |s: &Sample| s.mismatch <= self.options.tight * self.size();
-        let (here, there) = (self.foot_travel(e), self.foot_travel(twin));
-        let mut best = if here >= there { self.pencil_sample(e, t) } else { self.pencil_sample(twin, 1.0 - t) };
-        if !good(&best) {
-            let other = if here >= there { self.pencil_sample(twin, 1.0 - t) } else { self.pencil_sample(e, t) };
-            let chord = self.chord_sample(e, t);
-            for candidate in [other, chord] {
-                if candidate.mismatch < best.mismatch || best.mismatch.is_nan() {
-                    best = candidate;
-                }
+        let score = |s: &Sample| s.mismatch.max(self.beyond_ends(e, s.r));
+        let mut best = self.chord_sample(e, t);
+        let here_first = self.foot_travel(e) >= self.foot_travel(twin);
+        for here in [here_first, !here_first] {
+            if score(&best) <= self.options.tight * self.size() {
+                break;
+            }
+            let candidate = if here { self.pencil_sample(e, t) } else { self.pencil_sample(twin, 1.0 - t) };
+            if score(&candidate) < score(&best) {
+                best = candidate;
             }
         }
         best
