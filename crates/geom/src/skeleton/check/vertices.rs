@@ -4,11 +4,11 @@ use super::feet::End;
 use super::report::{Element as Part, FaultKind};
 use super::{Judge, Skeleton};
 use crate::point::{Point, Vec2};
-use crate::skeleton::{EdgeId, NONE, VertexId};
+use crate::skeleton::{EdgeId, VertexId};
 use std::f64::consts::TAU;
 
-/// An angle so near to a full turn belongs to the two contacts of a spoke seen in the wrong order by rounding.
-const ALMOST_FULL: f64 = 0.999 * TAU;
+/// Contacts so near to one another in direction, radians, are those of an edge straight towards or away from them.
+const NARROW: f64 = 1.0 / 256.0;
 
 impl Judge<'_> {
     pub(super) fn check_vertices(&mut self) {
@@ -73,17 +73,19 @@ impl Judge<'_> {
                 continue;
             }
             orbits[v as usize] += 1;
-            let mut turned = 0.0;
+            let (mut turned, mut unsure) = (0.0, 0);
             let mut e = start;
             while !std::mem::replace(&mut done[e as usize], true) {
-                turned += self.turn_across(e);
+                let across = self.turn_across(e);
+                turned += across.unwrap_or(0.0);
+                unsure += i32::from(across.is_none());
                 let twin = Skeleton::twin(e);
                 let next = s.next(twin);
                 turned += self.turn_within(twin, next);
                 e = next;
             }
-            let off = (turned - TAU).abs();
-            if e != start || off > 0.5 || orbits[v as usize] > 1 {
+            let once = (0..=unsure).any(|more| (turned + f64::from(more) * TAU - TAU).abs() < 0.5);
+            if e != start || !once || orbits[v as usize] > 1 {
                 self.fault(FaultKind::ContactsTurn, Part::Vertex(v), vertex.point, turned / TAU);
             }
         }
@@ -95,22 +97,27 @@ impl Judge<'_> {
         }
     }
 
-    /// From the contact with the site right of `e` to that with the site left of it, at the origin of `e`.
-    fn turn_across(&self, e: EdgeId) -> f64 {
+    /// From the contact with the site right of `e` to that with the site left of it, counter-clockwise across the edge,
+    /// at the origin of `e`: nothing or a full turn where both lie in one direction, as the edge falls or rises;
+    /// `None` where it does neither, being without length.
+    fn turn_across(&self, e: EdgeId) -> Option<f64> {
         let twin = Skeleton::twin(e);
-        let right = self.contact(e, End::Origin);
-        let left = self.contact(twin, End::Target);
-        let turn = right.angle_to(left).rem_euclid(TAU);
-        let falls = self.skeleton.target_clearance(e) < self.skeleton.origin_clearance(e);
-        if turn > ALMOST_FULL && falls { turn - TAU } else { turn }
+        let turn = self.contact(e, End::Origin).angle_to(self.contact(twin, End::Target));
+        if turn.abs() > NARROW {
+            return Some(turn.rem_euclid(TAU));
+        }
+        let rise = self.skeleton.target_clearance(e) - self.skeleton.origin_clearance(e);
+        let clear = rise.abs() > self.options.tight * self.size();
+        clear.then_some(if rise > 0.0 { turn + TAU } else { turn })
     }
 
     /// From the foot where `incoming` ends to the foot where `outgoing` begins, both in one cell: nothing, save at
     /// the site's centre of curvature.
     fn turn_within(&self, incoming: EdgeId, outgoing: EdgeId) -> f64 {
-        debug_assert!(outgoing != NONE);
-        let turn = self.contact(incoming, End::Target).angle_to(self.contact(outgoing, End::Origin)).rem_euclid(TAU);
-        if turn > ALMOST_FULL { turn - TAU } else { turn }
+        let element = &self.elements[self.skeleton.site(outgoing) as usize];
+        let change = self.foot(outgoing, End::Origin) - self.foot(incoming, End::Target);
+        // About a reflex vertex feet turn clockwise, but a disk there has no size and is no inner vertex.
+        element.curvature().map_or(0.0, |k| (k * change).max(-NARROW))
     }
 
     /// Direction from a vertex to its foot on the site right of `e`.
