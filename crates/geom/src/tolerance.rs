@@ -48,6 +48,8 @@ pub mod skeleton {
     /// How far outside its element's extent the foot of a vertex may fall: feet are the worst-conditioned
     /// numbers (an error of the clearance by `e` moves a foot by `sqrt(e)` at nearly tangent contacts).
     pub const FOOT: f64 = 1e-9;
+    /// The same for vertices in closed form; where their feet are worse, the bracketed search looks again.
+    pub const EXTENT: f64 = 1e-11;
     /// Contacts nearer to one another than this count as being in order around the disk.
     pub const ORDER: f64 = 1e-18;
     /// Newton steps on the three gaps of a vertex.
