@@ -4,15 +4,14 @@
 
 mod around;
 pub mod bbox;
-pub mod chain;
 pub mod contour;
 pub mod index;
 pub mod intersect;
 pub mod nesting;
 pub mod point;
-pub mod quadrature;
 pub mod predicates;
 pub mod ray;
+pub mod quadrature;
 pub mod region;
 pub mod repair;
 pub mod segment;
