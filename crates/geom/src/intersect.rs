@@ -90,6 +90,21 @@ pub fn contacts(a: &Segment, b: &Segment, closeness: Closeness, mut found: impl 
     }
 }
 
+/// Whether two segments cross or touch in their insides, to rounding.
+pub fn meet(a: &Segment, b: &Segment) -> bool {
+    let on_both = |p: Point| lies_inside(a, p) && lies_inside(b, p);
+    let common = match (a, b) {
+        (Segment::Line(l), Segment::Line(m)) => return lines_cross(l.start, l.end, m.start, m.end),
+        (Segment::Line(l), Segment::Arc(c)) | (Segment::Arc(c), Segment::Line(l)) => line_and_circle(l, c, 0.0),
+        (Segment::Arc(c), Segment::Arc(d)) => circle_and_circle(c, d, 0.0),
+    };
+    match common {
+        Common::None => false,
+        Common::One(p) => on_both(p),
+        Common::Two(p, q) => on_both(p) || on_both(q),
+    }
+}
+
 fn end_contacts(a: &Segment, b: &Segment, touch: f64, found: &mut impl FnMut(Contact)) -> Ends {
     let mut ends = Ends::default();
     let mut met = [false; 2];

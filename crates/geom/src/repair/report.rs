@@ -190,6 +190,9 @@ impl fmt::Display for Note {
                 let (first, second) = (first + 1, second + 1);
                 write!(f, "contours {first} and {second} share an edge at {at}: the areas on its sides were joined")
             }
+            Self::Overlap { first, second, length, .. } if first == second => {
+                write!(f, "contour {} overlaps itself by a sliver of {length:.3e} mm at {at}: dropped", first + 1)
+            }
             Self::Overlap { first, second, length, .. } => {
                 let (first, second) = (first + 1, second + 1);
                 write!(f, "contours {first} and {second} overlap by a sliver of {length:.3e} mm at {at}: dropped")
