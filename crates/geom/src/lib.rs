@@ -5,6 +5,7 @@
 mod around;
 pub mod bbox;
 pub mod contour;
+pub mod distance;
 pub mod index;
 pub mod intersect;
 pub mod nesting;
