@@ -67,8 +67,8 @@ pub const CHECK_SMOOTH_TURN: f64 = 2e-5;
 /// undefined: an error of a rounding unit would turn it by more than 1e-6.
 pub const CHECK_FLOATING: f64 = 1e-9;
 
-/// Relative error of numerical integration: a hundred rounding units.
-pub const QUADRATURE: f64 = 1e-14;
+/// Relative error of numerical integration: a thousandth of what the cells' areas are held to.
+pub const QUADRATURE: f64 = 1e-12;
 /// Tolerances of the skeleton's construction, *relative*: it computes in a frame scaled to size 0.5 … 1.
 pub mod skeleton {
     /// A disk is empty if no site reaches deeper into it than this. Some ten times the rounding of a distance.
