@@ -98,6 +98,8 @@ pub mod skeleton {
     pub const FIRST_PROBE: f64 = 1.0 / 1024.0;
     /// No disk inside the region is as large as this.
     pub const LARGEST_DISK: f64 = 2.0;
+    /// Steps along the wall from an element to the one that owns a contact: reflex vertex and cut pieces between.
+    pub const HOPS: usize = 6;
     /// Corrections of a guess before the bracketed search takes over; two or three are usual.
     pub const GUESSES: usize = 200;
     /// Width, of an interval from 0 to 1, at which a bisection has converged.
