@@ -4,7 +4,9 @@
 
 mod around;
 pub mod bbox;
+pub mod chain;
 pub mod contour;
+pub mod distance;
 pub mod index;
 pub mod intersect;
 pub mod nesting;
