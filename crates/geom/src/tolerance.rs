@@ -69,6 +69,7 @@ pub const CHECK_FLOATING: f64 = 1e-9;
 
 /// Relative error of numerical integration: a hundred rounding units.
 pub const QUADRATURE: f64 = 1e-14;
+
 /// Tolerances of the skeleton's construction, *relative*: it computes in a frame scaled to size 0.5 … 1.
 pub mod skeleton {
     /// A disk is empty if no site reaches deeper into it than this. Some ten times the rounding of a distance.

@@ -14,7 +14,7 @@ pub(super) fn third_contact(scene: &Scene, (a, b): (u32, u32), parent: Disk) -> 
 
 /// Start from a neighbour of `a` or `b`; each verification that finds a nearer element makes it the next guess.
 /// `None` where a closed form fails.
-fn guess_and_verify(scene: &Scene, (a, b): (u32, u32), parent: Disk) -> Option<(u32, Disk)> {
+pub(super) fn guess_and_verify(scene: &Scene, (a, b): (u32, u32), parent: Disk) -> Option<(u32, Disk)> {
     let elements = &scene.cycle.elements;
     let (mut c, mut disk) = first_guess(scene, (a, b), parent)?;
     for _ in 0..tol::GUESSES {
@@ -134,7 +134,7 @@ fn spokes_among(scene: &Scene, (a, c, b): (u32, u32, u32)) -> impl Iterator<Item
 }
 
 /// Twice the signed area of the triangle of contacts: positive where they follow one another counter-clockwise.
-fn contact_order(e: [&Element; 3], disk: Disk) -> f64 {
+pub(super) fn contact_order(e: [&Element; 3], disk: Disk) -> f64 {
     let [p, q, r] = e.map(|e| e.normal_at(disk.center) * -disk.radius);
     (q - p).cross(r - p)
 }
