@@ -87,11 +87,12 @@ pub mod skeleton {
     pub const ORDER: f64 = 1e-18;
     /// Newton steps on the three gaps of a vertex.
     pub const NEWTON_STEPS: usize = 2;
-    /// Turn between two lines, radians, below which their joint is smooth: the clearance on its normal is then off by
-    /// at most an eighth of the square.
-    pub const SMOOTH_LINES: f64 = 1e-5;
-    /// Turn, radians, below which a joint with an arc is smooth.
-    pub const SMOOTH_ARCS: f64 = 1e-9;
+    /// How far a disk on the normal of a joint that counts as smooth may miss one of its curves.
+    pub const SMOOTH_ERROR: f64 = 1e-12;
+    /// Turn, radians, below which every joint is smooth: the rounding of directions.
+    pub const SMOOTH_LEAST: f64 = 1e-9;
+    /// Turn, radians, above which none is.
+    pub const SMOOTH_MOST: f64 = 1e-5;
     /// Turn from a cusp of angle 0 or 2π, radians, below which curvature and not direction tells which it is.
     pub const CUSP: f64 = 1e-9;
     /// Two disks nearer to one another than this are one vertex of higher degree, verified already.

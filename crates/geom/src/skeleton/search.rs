@@ -14,7 +14,7 @@ pub(super) fn third_contact(scene: &Scene, (a, b): (u32, u32), parent: Disk) -> 
 
 /// Start from a neighbour of `a` or `b`; each verification that finds a nearer element makes it the next guess.
 /// `None` where a closed form fails.
-pub(super) fn guess_and_verify(scene: &Scene, (a, b): (u32, u32), parent: Disk) -> Option<(u32, Disk)> {
+fn guess_and_verify(scene: &Scene, (a, b): (u32, u32), parent: Disk) -> Option<(u32, Disk)> {
     let elements = &scene.cycle.elements;
     let (mut c, mut disk) = first_guess(scene, (a, b), parent)?;
     for _ in 0..tol::GUESSES {
@@ -50,14 +50,17 @@ fn first_guess(scene: &Scene, (a, b): (u32, u32), parent: Disk) -> Option<(u32, 
 /// the foot of the disk's centre.
 fn facing_neighbor(scene: &Scene, (a, b): (u32, u32), mut c: u32, disk: Disk) -> u32 {
     for _ in 0..tol::HOPS {
-        let (before, after) = scene.cycle.elements[c as usize].overshoot(disk.center);
-        let k = if before > tol::EMPTY && before >= after {
-            scene.cycle.before_on_wall(c)
-        } else if after > tol::EMPTY {
-            scene.cycle.after_on_wall(c)
-        } else {
+        let e = &scene.cycle.elements[c as usize];
+        let (before, after) = e.overshoot(disk.center);
+        if before <= tol::EMPTY && after <= tol::EMPTY {
             break;
+        }
+        let is_at_start = if e.start == e.end {
+            before >= after
+        } else {
+            disk.center.distance_squared(e.start) <= disk.center.distance_squared(e.end)
         };
+        let k = if is_at_start { scene.cycle.before_on_wall(c) } else { scene.cycle.after_on_wall(c) };
         let is_candidate = k > a && k < b;
         if !is_candidate || scene.cycle.elements[k as usize].distance(disk.center) > disk.radius + tol::FOOT {
             break;
@@ -91,8 +94,8 @@ fn touching(scene: &Scene, (a, c, b): (u32, u32, u32), parent: Disk) -> Option<D
     }
     let mut spokes = spokes_among(scene, (a, c, b));
     if let Some((foot, normal, other)) = spokes.next() {
-        if spokes.next().is_some() {
-            // the cells on both sides of a reflex vertex never meet
+        if spokes.next().is_some() && !is_inside_between_spokes(e) {
+            // the cells on both sides of a reflex vertex, of an arc seen from outside or of a line never meet there
             return None;
         }
         let other = &scene.cycle.elements[other as usize];
@@ -133,8 +136,13 @@ fn spokes_among(scene: &Scene, (a, c, b): (u32, u32, u32)) -> impl Iterator<Item
     })
 }
 
+/// Two spokes meet only in the centre of an arc between them.
+fn is_inside_between_spokes(e: [&Element; 3]) -> bool {
+    e.iter().any(|e| e.carrier == Carrier::Inside)
+}
+
 /// Twice the signed area of the triangle of contacts: positive where they follow one another counter-clockwise.
-pub(super) fn contact_order(e: [&Element; 3], disk: Disk) -> f64 {
+fn contact_order(e: [&Element; 3], disk: Disk) -> f64 {
     let [p, q, r] = e.map(|e| e.normal_at(disk.center) * -disk.radius);
     (q - p).cross(r - p)
 }
