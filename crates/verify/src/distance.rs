@@ -23,7 +23,10 @@ pub(crate) fn place(a: &Segment, b: &Segment) -> Point {
     crossings(a, b, &mut candidates);
     if let Segment::Arc(arc) = b {
         candidates.push(a.nearest(arc.center));
-        if let Segment::Arc(own) = a {
+    }
+    if let Segment::Arc(own) = a {
+        candidates.push(own.nearest(b.nearest(own.center)));
+        if let Segment::Arc(arc) = b {
             candidates.push(own.center + (own.center - arc.center).normalized() * own.radius);
         }
     }
