@@ -139,7 +139,7 @@ impl<'a> Cuts<'a> {
             Segment::Arc(a) => {
                 let towards = center - a.center;
                 let apart = towards.length();
-                let along = (apart + (a.radius - radius) * (a.radius + radius) / apart) / 2.0;
+                let along = 0.5 * (apart + (a.radius - radius) * (a.radius + radius) / apart);
                 self.directions(a, towards, along / a.radius);
             }
         }

@@ -120,7 +120,7 @@ fn circle_circle(c: &Arc, d: &Arc) -> [Option<Point>; 2] {
     if apart == 0.0 || apart > c.radius + d.radius || apart < (c.radius - d.radius).abs() {
         return [None; 2];
     }
-    let along = (apart + (c.radius - d.radius) * (c.radius + d.radius) / apart) / 2.0;
+    let along = 0.5 * (apart + (c.radius - d.radius) * (c.radius + d.radius) / apart);
     let across = (c.radius * c.radius - along * along).max(0.0).sqrt();
     let unit = between / apart;
     let middle = c.center + unit * along;

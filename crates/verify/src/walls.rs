@@ -29,7 +29,9 @@ impl Walls {
             next.extend((first..end).map(|k| if k + 1 == end { first } else { k + 1 }));
         }
         let mut monotone = Vec::with_capacity(segments.len());
-        segments.iter().for_each(|s| push_monotone(s, &mut monotone));
+        for segment in &segments {
+            push_monotone(segment, &mut monotone);
+        }
         Self { tree: Tree::new(&segments), monotone: Tree::new(&monotone), segments, next }
     }
 
