@@ -46,33 +46,67 @@ pub mod skeleton {
     pub const BISECTION: f64 = 1e-18;
 }
 
-/// A program may gouge by no more than this part of the tool's radius, where that is less than [`GOUGE`].
-pub const GOUGE_PER_RADIUS: f64 = 0.01;
+/// Ends, crossings and tangencies closer than this are one point: a touch. *Relative.* Ten times what the last digits of
+/// polyline bulges and of rotated coordinates cost, and a tenth of the narrowest gap that drawings are known to mean.
+pub const TOUCH: f64 = 1e-11;
 
-/// Material counts as left uncut where the tool stays farther from it than this part of its radius (or [`GOUGE`], where that is more).
-pub const COVER_PER_RADIUS: f64 = 2e-4;
+/// Arcs lie on one circle where centre and radius agree to this; they then share both exactly. *Relative.*
+pub const SAME_CIRCLE: f64 = 1e-9;
 
-/// Rounding of a distance computed by the proof from coordinates, as a part of the largest coordinate: some 250 units in
-/// the last place, several times what its longest chain of operations loses.
-pub const PROOF_ROUNDING: f64 = 256.0 * f64::EPSILON;
+/// Two contours that nowhere lie farther apart than this are one curve drawn twice. *Relative*, and never above the join
+/// tolerance: a channel as narrow holds no tool, so nothing that can be milled is lost.
+pub const SAME_CONTOUR: f64 = 1e-5;
 
-/// Arcs that lie nearer than this part of the gouge limit to their chords are judged as their chords (and the limit tightened).
-pub const PROOF_FLATNESS: f64 = 1e-3;
+/// Directions that differ by less are compared by where their curves lead, rad: a touch point known to [`TOUCH`] leaves
+/// the tangent of a curve there uncertain by the square root of it at worst.
+pub const TANGENT: f64 = 1e-3;
 
-/// A turn between two curves below this angle opens no sector between their parallels: at a radius of 1 m it would be 1 nm wide.
-pub const SMOOTH_JOINT: f64 = 1e-9;
+/// Coordinates beyond this are no drawing of a part, mm (ten thousand kilometres).
+pub const ABSURD: f64 = 1e10;
 
-/// How far the radii at an arc's start and end may differ in a program, mm, or as a part of the radius where that is more.
-pub const ARC_RADII: f64 = 0.005;
+/// Nothing smaller than this can be a region, mm (a thousandth of a micrometre).
+pub const SMALLEST_SIZE: f64 = 1e-6;
 
-/// See [`ARC_RADII`].
-pub const ARC_RADII_RELATIVE: f64 = 1e-4;
+/// Multiples of the unit roundoff that a coordinate after a few operations is known to.
+pub const COORDINATE_ROUNDOFF: f64 = 8.0 * f64::EPSILON;
 
-/// The control takes an arc of less than this angle for the full turn.
-pub const FULL_TURN: f64 = 1e-6;
+/// The length below which two places in geometry of this box are one: [`TOUCH`] of the size, but not below the rounding
+/// of its largest coordinate.
+pub fn touch_length(bbox: crate::BBox) -> f64 {
+    let largest = [bbox.min.x, bbox.min.y, bbox.max.x, bbox.max.y].into_iter().fold(0.0, |m: f64, c| m.max(c.abs()));
+    (TOUCH * bbox.size()).max(COORDINATE_ROUNDOFF * largest)
+}
 
-/// Heights nearer than this are the same height, mm.
-pub const SAME_HEIGHT: f64 = 1e-6;
+/// Tolerances of the proof of a written program.
+pub mod proof {
+    /// A program may gouge by no more than this part of the tool's radius, where that is less than [`GOUGE`](super::GOUGE).
+    pub const GOUGE_PER_RADIUS: f64 = 0.01;
 
-/// Two curves that turn back on one another within this angle make a cusp, where the sign of the turn tells nothing.
-pub const CUSP: f64 = 1e-6;
+    /// Material counts as left uncut where the tool stays farther from it than this part of its radius (or [`GOUGE`](super::GOUGE), where that is more).
+    pub const COVER_PER_RADIUS: f64 = 2e-4;
+
+    /// Rounding of a distance computed by the proof from coordinates, as a part of the largest coordinate: some 250 units in
+    /// the last place, several times what its longest chain of operations loses.
+    pub const ROUNDING: f64 = 256.0 * f64::EPSILON;
+
+    /// Arcs that lie nearer than this part of the gouge limit to their chords are judged as their chords (and the limit tightened).
+    pub const FLATNESS: f64 = 1e-3;
+
+    /// A turn between two curves below this angle opens no sector between their parallels: at a radius of 1 m it would be 1 nm wide.
+    pub const SMOOTH_JOINT: f64 = 1e-9;
+
+    /// How far the radii at an arc's start and end may differ in a program, mm, or as a part of the radius where that is more.
+    pub const ARC_RADII: f64 = 0.005;
+
+    /// See [`ARC_RADII`].
+    pub const ARC_RADII_RELATIVE: f64 = 1e-4;
+
+    /// The control takes an arc of less than this angle for the full turn.
+    pub const FULL_TURN: f64 = 1e-6;
+
+    /// Heights nearer than this are the same height, mm.
+    pub const SAME_HEIGHT: f64 = 1e-6;
+
+    /// Two curves that turn back on one another within this angle make a cusp, where the sign of the turn tells nothing.
+    pub const CUSP: f64 = 1e-6;
+}

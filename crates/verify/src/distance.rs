@@ -38,7 +38,7 @@ pub(crate) fn place(a: &Segment, b: &Segment) -> Point {
 fn own_rounding(a: &Segment) -> f64 {
     let b = a.bbox();
     let largest = [b.min.x, b.min.y, b.max.x, b.max.y].into_iter().fold(0.0, |m: f64, c| m.max(c.abs()));
-    pocketry_geom::tolerance::PROOF_ROUNDING * largest
+    pocketry_geom::tolerance::proof::ROUNDING * largest
 }
 
 /// Adds the points that two segments have in common (overlapping stretches have none).

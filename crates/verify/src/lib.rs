@@ -30,7 +30,7 @@ pub use report::{Figures, Gouge, Report, Spot, Violation};
 
 use gcode::{Motion, Trace};
 use limits::Limits;
-use pocketry_geom::tolerance::SAME_HEIGHT;
+use pocketry_geom::tolerance::proof::SAME_HEIGHT;
 use pocketry_geom::{Region, Segment};
 use reach::Centers;
 use uncut::Sweep;

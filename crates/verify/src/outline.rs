@@ -7,7 +7,7 @@
 
 use crate::clip;
 use crate::tree::Tree;
-use pocketry_geom::tolerance::SMOOTH_JOINT;
+use pocketry_geom::tolerance::proof::SMOOTH_JOINT;
 use pocketry_geom::{Arc, Point, Segment, Vec2};
 use rayon::prelude::*;
 use std::collections::HashMap;

@@ -8,7 +8,7 @@
 use crate::outline::{self, Side};
 use crate::tree::Tree;
 use crate::walls::Walls;
-use pocketry_geom::tolerance::CUSP;
+use pocketry_geom::tolerance::proof::CUSP;
 use pocketry_geom::{Point, Segment};
 use std::f64::consts::PI;
 
