@@ -69,7 +69,9 @@ impl Sweep {
                 from = span.1;
             }
         }
-        let next = outline::links(&pieces, centers.link_reach(radius));
+        let reach = centers.link_reach(radius);
+        outline::drop_repeated(&mut pieces, reach);
+        let next = outline::links(&pieces, reach);
         let loops = outline::loops(&pieces, &next);
         let mut spots: Vec<Spot> = loops.iter().map(|l| self.spot(&pieces, l)).collect();
         spots.sort_by(|a, b| b.area.total_cmp(&a.area));
@@ -93,14 +95,17 @@ fn sides(run: &[Segment], radius: f64, out: &mut Vec<Segment>) {
     let (Some(first), Some(last)) = (moving.first(), moving.last()) else {
         return out.extend(outline::circle(run[0].start(), radius));
     };
+    let closed = first.start() == last.end();
     for (k, curve) in moving.iter().enumerate() {
         out.extend(outline::parallel(curve, radius, Side::Left));
         out.extend(outline::parallel(curve, radius, Side::Right).map(|c| c.reversed()));
-        if let Some(next) = moving.get(k + 1) {
+        if let Some(next) = moving.get(k + 1).or(closed.then_some(first)) {
             out.extend(outline::sector(curve, next, radius, Side::Left));
             out.extend(outline::sector(curve, next, radius, Side::Right).map(|c| c.reversed()));
         }
     }
-    out.push(outline::cap(last.end(), last.end_tangent(), radius));
-    out.push(outline::cap(first.start(), -first.start_tangent(), radius));
+    if !closed {
+        out.push(outline::cap(last.end(), last.end_tangent(), radius));
+        out.push(outline::cap(first.start(), -first.start_tangent(), radius));
+    }
 }
