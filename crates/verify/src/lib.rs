@@ -11,6 +11,7 @@
 //!
 //! Nothing is sampled or flattened: what can't be decided within rounding is decided against the program.
 
+mod cells;
 mod clip;
 mod distance;
 pub mod gcode;

@@ -50,7 +50,7 @@ impl Walls {
     /// Length of the parts of a curve outside the region.
     pub(crate) fn length_outside(&self, curve: &Segment) -> f64 {
         let mut cuts = vec![curve.start()];
-        self.tree.near(curve, f64::MIN_POSITIVE, |wall, _| {
+        self.tree.near(curve, f64::MIN_POSITIVE, |wall| {
             distance::crossings(curve, wall, &mut cuts);
             true
         });
