@@ -46,24 +46,39 @@ impl Cells {
     fn mark(&mut self, center: Point, radius: f64) {
         let (x, y) = ((center.x - self.origin.x) / self.size, (center.y - self.origin.y) / self.size);
         let reach = radius / self.size;
-        let lowest = (y - reach).ceil().max(0.0) as usize;
-        let highest = ((y + reach).floor().max(0.0) as usize).min(self.rows);
+        // A negative number becomes 0 here, and a positive one is rounded down.
+        let lowest = (y - reach + 1.0) as usize;
+        let highest = ((y + reach) as usize).min(self.rows);
         for row in lowest..highest {
             let farther = (row as f64 - y).abs().max((row as f64 + 1.0 - y).abs());
             let half = (reach * reach - farther * farther).max(0.0).sqrt();
-            let from = (x - half).ceil().max(0.0) as usize;
-            let to = ((x + half).floor().max(0.0) as usize).min(self.columns);
-            for column in from..to {
-                let bit = row * self.columns + column;
-                self.swept[bit / 64] |= 1 << (bit % 64);
+            let from = (x - half + 1.0) as usize;
+            let to = ((x + half) as usize).min(self.columns);
+            if from < to {
+                self.fill(row * self.columns + from, row * self.columns + to);
             }
+        }
+    }
+
+    /// Sets the bits of a range that is not empty, word by word.
+    fn fill(&mut self, from: usize, to: usize) {
+        let (first, last) = (from / 64, (to - 1) / 64);
+        for word in first..=last {
+            let mut mask = u64::MAX;
+            if word == first {
+                mask &= u64::MAX << (from % 64);
+            }
+            if word == last {
+                mask &= u64::MAX >> (63 - (to - 1) % 64);
+            }
+            self.swept[word] |= mask;
         }
     }
 
     /// Whether every cell that the box meets is swept. Rounding may name the neighbour of a point on a cell's border; that
     /// is within the rounding that the radius was lessened by.
     fn hold(&self, b: BBox) -> bool {
-        let low = |v: f64, origin: f64| ((v - origin) / self.size).floor();
+        let low = |v: f64, origin: f64| (v - origin) / self.size;
         let (x0, x1) = (low(b.min.x, self.origin.x), low(b.max.x, self.origin.x));
         let (y0, y1) = (low(b.min.y, self.origin.y), low(b.max.y, self.origin.y));
         if !(x0 >= 0.0 && y0 >= 0.0 && x1 < self.columns as f64 && y1 < self.rows as f64) {

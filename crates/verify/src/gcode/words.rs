@@ -8,7 +8,7 @@ pub(super) struct Word {
     pub(super) letter: char,
     pub(super) value: f64,
     /// Digits after the point.
-    pub(super) decimals: u32,
+    pub(super) decimals: i32,
 }
 
 impl Word {
@@ -57,7 +57,7 @@ fn skip(bytes: &[u8], mut at: usize) -> Option<usize> {
 }
 
 /// A decimal number with optional sign from `at`: value, digits after the point, where it ends.
-fn number(bytes: &[u8], at: usize) -> Option<(f64, u32, usize)> {
+fn number(bytes: &[u8], at: usize) -> Option<(f64, i32, usize)> {
     let mut digits = [0u8; 40];
     let (mut length, mut at) = (0, skip(bytes, at)?);
     let (mut point, mut decimals, mut any) = (false, 0, false);
@@ -67,7 +67,7 @@ fn number(bytes: &[u8], at: usize) -> Option<(f64, u32, usize)> {
             b'.' if !point => point = true,
             b'0'..=b'9' => {
                 any = true;
-                decimals += u32::from(point);
+                decimals += i32::from(point);
             }
             b' ' | b'\t' | b'\r' => {
                 at += 1;
