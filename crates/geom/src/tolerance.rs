@@ -12,6 +12,40 @@ pub const JOIN: f64 = 0.011;
 /// How far an arc that replaces a free-form curve may lie from it, mm.
 pub const FIT: f64 = 0.001;
 
+/// Tolerances of the skeleton's construction, *relative*: it computes in a frame scaled to size 0.5 … 1.
+pub mod skeleton {
+    /// A disk is empty if no site reaches deeper into it than this. Some ten times the rounding of a distance.
+    pub const EMPTY: f64 = 1e-12;
+    /// Residual of a vertex at which no refinement can gain any more: a few units of rounding.
+    pub const EXACT: f64 = 1e-15;
+    /// Residual up to which a closed-form vertex is believed; above it the bracketed search takes over.
+    pub const RESIDUAL: f64 = 3e-13;
+    /// How far outside its element's extent the foot of a vertex may fall: feet are the worst-conditioned
+    /// numbers (an error of the clearance by `e` moves a foot by `sqrt(e)` at nearly tangent contacts).
+    pub const FOOT: f64 = 1e-9;
+    /// Contacts nearer to one another than this count as being in order around the disk.
+    pub const ORDER: f64 = 1e-18;
+    /// Newton steps on the three gaps of a vertex.
+    pub const NEWTON_STEPS: usize = 2;
+    /// Turn between two lines, radians, below which their joint is smooth: the clearance on its normal is then off by
+    /// at most an eighth of the square.
+    pub const SMOOTH_LINES: f64 = 1e-5;
+    /// Turn, radians, below which a joint with an arc is smooth.
+    pub const SMOOTH_ARCS: f64 = 1e-9;
+    /// Turn from a cusp of angle 0 or 2π, radians, below which curvature and not direction tells which it is.
+    pub const CUSP: f64 = 1e-9;
+    /// Two disks nearer to one another than this are one vertex of higher degree, verified already.
+    pub const SAME_DISK: f64 = 1e-14;
+    /// Where the growth of a disk from a contact starts, and where it is given up: nothing is larger than the frame.
+    pub const FIRST_PROBE: f64 = 1.0 / 1024.0;
+    /// No disk inside the region is as large as this.
+    pub const LARGEST_DISK: f64 = 2.0;
+    /// Corrections of a guess before the bracketed search takes over; two or three are usual.
+    pub const GUESSES: usize = 200;
+    /// Width, of an interval from 0 to 1, at which a bisection has converged.
+    pub const BISECTION: f64 = 1e-18;
+}
+
 /// Ends, crossings and tangencies closer than this are one point: a touch. *Relative.* Ten times what the last digits of
 /// polyline bulges and of rotated coordinates cost, and a tenth of the narrowest gap that drawings are known to mean.
 pub const TOUCH: f64 = 1e-11;
@@ -107,4 +141,36 @@ pub mod skeleton {
     pub const GUESSES: usize = 200;
     /// Width, of an interval from 0 to 1, at which a bisection has converged.
     pub const BISECTION: f64 = 1e-18;
+/// Tolerances of the proof of a written program.
+pub mod proof {
+    /// A program may gouge by no more than this part of the tool's radius, where that is less than [`GOUGE`](super::GOUGE).
+    pub const GOUGE_PER_RADIUS: f64 = 0.01;
+
+    /// Material counts as left uncut where the tool stays farther from it than this part of its radius (or [`GOUGE`](super::GOUGE), where that is more).
+    pub const COVER_PER_RADIUS: f64 = 2e-4;
+
+    /// Rounding of a distance computed by the proof from coordinates, as a part of the largest coordinate: some 250 units in
+    /// the last place, several times what its longest chain of operations loses.
+    pub const ROUNDING: f64 = 256.0 * f64::EPSILON;
+
+    /// Arcs that lie nearer than this part of the gouge limit to their chords are judged as their chords (and the limit tightened).
+    pub const FLATNESS: f64 = 1e-3;
+
+    /// A turn between two curves below this angle opens no sector between their parallels: at a radius of 1 m it would be 1 nm wide.
+    pub const SMOOTH_JOINT: f64 = 1e-9;
+
+    /// How far the radii at an arc's start and end may differ in a program, mm, or as a part of the radius where that is more.
+    pub const ARC_RADII: f64 = 0.005;
+
+    /// See [`ARC_RADII`].
+    pub const ARC_RADII_RELATIVE: f64 = 1e-4;
+
+    /// The control takes an arc of less than this angle for the full turn.
+    pub const FULL_TURN: f64 = 1e-6;
+
+    /// Heights nearer than this are the same height, mm.
+    pub const SAME_HEIGHT: f64 = 1e-6;
+
+    /// Two curves that turn back on one another within this angle make a cusp, where the sign of the turn tells nothing.
+    pub const CUSP: f64 = 1e-6;
 }
