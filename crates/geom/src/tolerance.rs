@@ -30,13 +30,6 @@ pub const CIRCULAR: f64 = 1e-9;
 /// Angles of a drawing nearer than this are the same, radians: the last decimals that CAD systems write.
 pub const ANGLE: f64 = 1e-9;
 
-/// The largest coordinate that a drawing may have, mm: beyond it doubles are spaced by more than a thousandth of the
-/// gouge tolerance.
-pub const LARGEST_COORDINATE: f64 = 1e10;
-
-/// The smallest size that a drawing may have, mm; less is no drawing but a mistaken unit.
-pub const SMALLEST_EXTENT: f64 = 1e-6;
-
 /// The steepest bulge that a drawing may have: the arc then lacks less than 1/400 of a degree of a full turn and
 /// its radius is a guess.
 pub const LARGEST_BULGE: f64 = 1e5;

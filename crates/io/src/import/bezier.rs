@@ -119,13 +119,7 @@ impl Bezier {
         let weight = half.cos();
         let apex = point(0.0, 0.0) + (on(from + half) - center) / weight;
         let middle = center + apex.to_vec();
-        Self {
-            points: vec![
-                Weighted::new(on(from), 1.0),
-                Weighted::new(middle, weight),
-                Weighted::new(on(to), 1.0),
-            ],
-        }
+        Self { points: vec![Weighted::new(on(from), 1.0), Weighted::new(middle, weight), Weighted::new(on(to), 1.0)] }
     }
 }
 

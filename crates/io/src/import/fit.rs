@@ -278,8 +278,7 @@ fn in_sector(curve: &Bezier, arc: &Arc, slack: f64) -> bool {
 fn radial_bound(curve: &Bezier, arc: &Arc) -> f64 {
     let degree = curve.points.len() - 1;
     let spoke = arc.center - arc.start;
-    let from_start: Vec<(Vec2, f64)> =
-        curve.points.iter().map(|p| (p.xy - arc.start.to_vec() * p.w, p.w)).collect();
+    let from_start: Vec<(Vec2, f64)> = curve.points.iter().map(|p| (p.xy - arc.start.to_vec() * p.w, p.w)).collect();
     let choose = binomials(degree);
     let mut excess = vec![0.0; 2 * degree + 1];
     let mut weight = vec![0.0; 2 * degree + 1];
@@ -313,13 +312,14 @@ pub(crate) fn ellipse(center: Point, u: Vec2, v: Vec2, from: f64, sweep: f64) ->
     let (low, high) = (start.min(end), start.max(end));
     let first = (low / quarter).floor() as i64 + 1;
     let mut angles = vec![low];
-    angles.extend((first..first + 5).map(|k| k as f64 * quarter).filter(|&a| {
-        a - low > tolerance::ANGLE && high - a > tolerance::ANGLE
-    }));
+    angles.extend(
+        (first..first + 5)
+            .map(|k| k as f64 * quarter)
+            .filter(|&a| a - low > tolerance::ANGLE && high - a > tolerance::ANGLE),
+    );
     angles.push(high);
     if sweep < 0.0 {
         angles.reverse();
     }
     angles.windows(2).map(|w| Bezier::elliptic(center, major, minor, w[0], w[1])).collect()
 }
-

@@ -15,6 +15,7 @@ mod error;
 mod fit;
 mod json;
 mod nurbs;
+mod pending_chain;
 mod sketch;
 mod spline_fit;
 mod svg;
@@ -23,7 +24,7 @@ mod units;
 pub use error::{Fault, FaultKind, ImportError, Place, Warning};
 pub use json::{BatchLine, parse_region_json, read_batch};
 pub use sketch::Source;
-pub use units::{UnknownUnits, Units};
+pub use units::{Units, UnknownUnits};
 
 use pocketry_geom::{Region, tolerance};
 use std::fs::File;
@@ -81,7 +82,7 @@ impl ImportOptions {
         if !(self.join_tolerance >= 0.0 && self.join_tolerance.is_finite()) {
             return Err(bad("join tolerance", self.join_tolerance));
         }
-        if !(self.fit_tolerance >= tolerance::SMALLEST_EXTENT && self.fit_tolerance.is_finite()) {
+        if !(self.fit_tolerance >= tolerance::SMALLEST_SIZE && self.fit_tolerance.is_finite()) {
             return Err(bad("fit tolerance", self.fit_tolerance));
         }
         Ok(())

@@ -119,7 +119,7 @@ impl Sketch {
         for curve in curves {
             let mapped = curve.transformed(map);
             let reach = mapped.reach();
-            if reach > tolerance::LARGEST_COORDINATE {
+            if reach > tolerance::ABSURD {
                 return Err(self.too_far(source, reach));
             }
             mapped.segments(fit_tolerance, out);

@@ -78,9 +78,28 @@ pub(super) enum Reading {
 
 /// Kinds that say something about a part and are no part of it.
 const ANNOTATIONS: [&str; 22] = [
-    "TEXT", "MTEXT", "DIMENSION", "LARGE_RADIAL_DIMENSION", "ARC_DIMENSION", "LEADER", "MLEADER", "MULTILEADER",
-    "TOLERANCE", "ATTRIB", "ATTDEF", "HATCH", "POINT", "VIEWPORT", "IMAGE", "WIPEOUT", "RAY", "XLINE", "SEQEND",
-    "ACAD_TABLE", "OLE2FRAME", "RTEXT",
+    "TEXT",
+    "MTEXT",
+    "DIMENSION",
+    "LARGE_RADIAL_DIMENSION",
+    "ARC_DIMENSION",
+    "LEADER",
+    "MLEADER",
+    "MULTILEADER",
+    "TOLERANCE",
+    "ATTRIB",
+    "ATTDEF",
+    "HATCH",
+    "POINT",
+    "VIEWPORT",
+    "IMAGE",
+    "WIPEOUT",
+    "RAY",
+    "XLINE",
+    "SEQEND",
+    "ACAD_TABLE",
+    "OLE2FRAME",
+    "RTEXT",
 ];
 
 impl<'a> Raw<'a> {
@@ -150,7 +169,7 @@ impl<'a> Raw<'a> {
         let mut heights = self.numbers(30)?;
         heights.extend(self.numbers(31)?);
         let (low, high) = heights.iter().fold((f64::MAX, f64::MIN), |(l, h), &z| (l.min(z), h.max(z)));
-        Ok(high - low > tolerance::SMALLEST_EXTENT || (self.kind == "LINE" && heights.len() == 1 && high != 0.0))
+        Ok(high - low > tolerance::SMALLEST_SIZE || (self.kind == "LINE" && heights.len() == 1 && high != 0.0))
     }
 
     /// What the entity is.
@@ -334,9 +353,8 @@ impl<'a> Raw<'a> {
         }
         let degree = usize::try_from(self.integer_or(71, 3)?).unwrap_or(0);
         let spline = Spline { degree, knots: self.numbers(40)?, points, weights: self.numbers(41)? };
-        let chain = spline
-            .to_beziers()
-            .map_err(|e| source.error(format!("the spline is damaged: {e}"), "draw it again"))?;
+        let chain =
+            spline.to_beziers().map_err(|e| source.error(format!("the spline is damaged: {e}"), "draw it again"))?;
         let ends_meet = chain[0].start().distance(chain[chain.len() - 1].end()) <= tolerance::JOIN;
         Ok(Shape::Curves { curves: vec![Curve::Free(chain)], closed: closed && ends_meet })
     }

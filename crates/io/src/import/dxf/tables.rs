@@ -48,9 +48,14 @@ impl Header {
             sketch.warn(Place::default(), format!("{why}; millimetres are assumed (give the units if that is wrong)"));
             return Ok(Units::MILLIMETER);
         };
-        if units.millimeters() > tolerance::LARGEST_COORDINATE {
+        if units.millimeters() > tolerance::ABSURD {
             let problem = format!("the drawing's unit is {units}, {:e} mm", units.millimeters());
-            return Err(ImportError::new(FaultKind::Limit, Place::default(), problem, "correct $INSUNITS or give the units"));
+            return Err(ImportError::new(
+                FaultKind::Limit,
+                Place::default(),
+                problem,
+                "correct $INSUNITS or give the units",
+            ));
         }
         let imperial = ["in", "ft", "mil", "yd", "mi", "uin", "ftUS"].contains(&units.name());
         if self.measurement.is_some_and(|m| (m == 0) != imperial) {

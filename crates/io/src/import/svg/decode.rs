@@ -31,9 +31,9 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, ImportError> {
         if let Some(unit) = unit {
             let units = rest.chunks_exact(2).map(|c| unit([c[0], c[1]]));
             let text: Result<String, _> = char::decode_utf16(units).collect();
-            return text.map(Cow::Owned).map_err(|_| {
-                refuse(FaultKind::Syntax, "the file begins as UTF-16 and isn't", "save it as UTF-8")
-            });
+            return text
+                .map(Cow::Owned)
+                .map_err(|_| refuse(FaultKind::Syntax, "the file begins as UTF-16 and isn't", "save it as UTF-8"));
         }
     }
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
@@ -104,18 +104,19 @@ fn check_entities(text: &str) -> Result<(), ImportError> {
 /// Refuses documents nested so deep that walking them is no reading of a drawing; counts tags without parsing them.
 fn check_nesting(text: &str) -> Result<(), ImportError> {
     let bytes = text.as_bytes();
-    let (mut depth, mut deepest) = (0_usize, 0_usize);
-    for (k, _) in text.match_indices('<') {
-        match bytes.get(k + 1) {
-            Some(b'/') => depth = depth.saturating_sub(1),
-            Some(b'!' | b'?') | None => {}
-            Some(_) => {
-                let end = text[k..].find('>').map_or(text.len(), |e| k + e);
-                if bytes[end - 1] != b'/' {
+    let (mut depth, mut deepest, mut tag) = (0_usize, 0_usize, None);
+    for (k, &byte) in bytes.iter().enumerate() {
+        match byte {
+            b'<' => tag = Some(k),
+            b'>' => match tag.take().map(|start| (bytes[start + 1], bytes[k - 1])) {
+                Some((b'/', _)) => depth = depth.saturating_sub(1),
+                Some((b'!' | b'?', _) | (_, b'/')) | None => {}
+                Some(_) => {
                     depth += 1;
                     deepest = deepest.max(depth);
                 }
-            }
+            },
+            _ => {}
         }
     }
     if deepest > MAX_NESTING {

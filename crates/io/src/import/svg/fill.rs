@@ -1,19 +1,29 @@
 //! The nonzero fill rule, for loops that nest without crossing.
 
+use pocketry_geom::index::SegmentIndex;
 use pocketry_geom::ray::{self, crossings_left};
-use pocketry_geom::{BBox, Contour, Point, Segment};
+use pocketry_geom::{BBox, Contour, Point, Segment, point};
 
 /// Which loops bound what the nonzero rule fills: those with filled on one side and empty on the other. The others are
-/// drawn inside what is filled anyway.
+/// drawn inside what is filled anyway. O(n log n) and the depth of nesting.
 pub(super) fn bounding(loops: &[Contour]) -> Vec<bool> {
-    let boxes: Vec<BBox> = loops.iter().map(Contour::bbox).collect();
+    let segments: Vec<Segment> = loops.iter().flat_map(|c| c.segments.iter().copied()).collect();
+    let owners: Vec<usize> = loops.iter().enumerate().flat_map(|(k, c)| c.segments.iter().map(move |_| k)).collect();
+    let left = segments.iter().fold(BBox::EMPTY, |b, s| b.union(s.bbox())).min.x;
+    let index = SegmentIndex::new(&segments);
+    let winding_around = |k: usize| {
+        let at = leftmost(&loops[k]);
+        let mut turns = 0_i64;
+        index.visit(BBox::of(point(left, at.y), at), 0.0, |j, segment| {
+            if owners[j] != k {
+                crossings_left(segment, at, |hit| turns += if hit.upward { -1 } else { 1 });
+            }
+        });
+        turns
+    };
     (0..loops.len())
         .map(|k| {
-            let at = leftmost(&loops[k]);
-            let around: i64 = (0..loops.len())
-                .filter(|&j| j != k && boxes[j].contains(at))
-                .map(|j| winding(&loops[j], at))
-                .sum();
+            let around = winding_around(k);
             let inside = around + if loops[k].area() > 0.0 { 1 } else { -1 };
             (around == 0) != (inside == 0)
         })
@@ -23,24 +33,6 @@ pub(super) fn bounding(loops: &[Contour]) -> Vec<bool> {
 fn leftmost(contour: &Contour) -> Point {
     let points = contour.segments.iter().map(ray::leftmost);
     points.reduce(|a, b| if b.x < a.x { b } else { a }).unwrap_or_default()
-}
-
-/// How often a closed curve runs counter-clockwise around a point that is not on it.
-fn winding(contour: &Contour, p: Point) -> i64 {
-    let mut turns = 0;
-    for segment in &contour.segments {
-        if may_cross(segment, p) {
-            crossings_left(segment, p, |hit| turns += if hit.upward { -1 } else { 1 });
-        }
-    }
-    turns
-}
-
-fn may_cross(segment: &Segment, p: Point) -> bool {
-    match segment {
-        Segment::Line(l) => (l.start.y > p.y) != (l.end.y > p.y),
-        Segment::Arc(a) => (a.center.y - p.y).abs() <= a.radius || (a.start.y > p.y) != (a.end.y > p.y),
-    }
 }
 
 #[cfg(test)]

@@ -18,7 +18,7 @@ use super::error::{FaultKind, ImportError, Place};
 use super::sketch::{MAX_CURVES, Sketch, Source};
 use path::Subpath;
 use pocketry_geom::{Contour, Segment};
-use roxmltree::{Document, Node};
+use roxmltree::Node;
 use std::collections::{BTreeSet, HashMap};
 use std::str::FromStr;
 use style::{Sheet, Style};
@@ -32,8 +32,27 @@ const MAX_ELEMENTS: u64 = 1_000_000;
 
 /// Elements that hold definitions or something other than geometry.
 const NOT_DRAWN: [&str; 21] = [
-    "defs", "clipPath", "mask", "pattern", "marker", "symbol", "linearGradient", "radialGradient", "filter", "style",
-    "script", "metadata", "title", "desc", "text", "foreignObject", "image", "namedview", "animate", "font", "view",
+    "defs",
+    "clipPath",
+    "mask",
+    "pattern",
+    "marker",
+    "symbol",
+    "linearGradient",
+    "radialGradient",
+    "filter",
+    "style",
+    "script",
+    "metadata",
+    "title",
+    "desc",
+    "text",
+    "foreignObject",
+    "image",
+    "namedview",
+    "animate",
+    "font",
+    "view",
 ];
 
 /// The drawing in an SVG file.
@@ -168,7 +187,8 @@ impl<'a> Walk<'a> {
     fn transformed(&self, node: Node<'a, 'a>, outer: &State<'a>) -> Result<Affine, ImportError> {
         let Some(text) = node.attribute("transform") else { return Ok(outer.map) };
         let bad = |problem: String| self.source(node, outer.layer).error(problem, "correct the transform");
-        let t = svgtypes::Transform::from_str(text).map_err(|e| bad(format!("its transform {text:?} is broken: {e}")))?;
+        let t =
+            svgtypes::Transform::from_str(text).map_err(|e| bad(format!("its transform {text:?} is broken: {e}")))?;
         let own = Affine { a: t.a, b: t.b, c: t.c, d: t.d, e: t.e, f: t.f };
         let map = outer.map.after(&own);
         if own.is_singular() || map.is_singular() {
@@ -271,7 +291,8 @@ impl<'a> Walk<'a> {
         if bounding.iter().all(|&b| b) {
             return Ok(loops);
         }
-        super::assemble::check_crossings(&loops, self.options).map_err(|e| super::assemble::region_error(&e, |_| source.place()))?;
+        super::assemble::check_crossings(&loops, self.options)
+            .map_err(|e| super::assemble::region_error(&e, |_| source.place()))?;
         let dropped = bounding.iter().filter(|&&b| !b).count();
         let message = format!("{dropped} loop(s) inside what the nonzero fill rule fills anyway are left out");
         self.sketch.warn(source.place(), message);

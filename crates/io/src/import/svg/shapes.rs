@@ -111,22 +111,19 @@ impl Shape<'_, '_> {
             .filter(|t| !t.is_empty())
             .map(|t| t.parse::<f64>().ok().filter(|x| x.is_finite()))
             .collect();
-        let points = match numbers {
-            Some(numbers) if numbers.len() % 2 == 0 => {
-                numbers.chunks_exact(2).map(|p| point(p[0], p[1])).collect()
-            }
+        let points: Vec<Point> = match numbers {
+            Some(numbers) if numbers.len() % 2 == 0 => numbers.chunks_exact(2).map(|p| point(p[0], p[1])).collect(),
             Some(_) => return Err(self.source.error("its points are an odd number of coordinates", "correct them")),
             // Signs may stand in place of separators; the lenient reader understands them.
             None => svgtypes::PointsParser::from(text).map(|(x, y)| point(x, y)).collect(),
         };
-        let finite = points.iter().all(|p: &Point| p.is_finite());
+        let finite = points.iter().all(|p| p.is_finite());
         if finite { Ok(points) } else { Err(self.source.error("its points are no numbers", "correct them")) }
     }
 }
 
 fn chain(points: &[Point], closed: bool) -> Subpath {
-    let mut curves: Vec<Curve> =
-        points.windows(2).filter(|w| w[0] != w[1]).map(|w| Curve::Line(w[0], w[1])).collect();
+    let mut curves: Vec<Curve> = points.windows(2).filter(|w| w[0] != w[1]).map(|w| Curve::Line(w[0], w[1])).collect();
     if let (true, Some(&first), Some(&last)) = (closed, points.first(), points.last()) {
         if first != last {
             curves.push(Curve::Line(last, first));

@@ -134,7 +134,12 @@ pub(super) fn root(
     let flip = Affine { f: page * unit, ..Affine::scale(unit, -unit) };
     let map = flip.after(&to_pixels);
     if map.is_singular() {
-        return Err(ImportError::new(FaultKind::Value, source.place(), "the drawing has no size", "correct its viewBox"));
+        return Err(ImportError::new(
+            FaultKind::Value,
+            source.place(),
+            "the drawing has no size",
+            "correct its viewBox",
+        ));
     }
     Ok((map, viewport))
 }
