@@ -2,7 +2,9 @@
 //!
 //! Everything is in millimetres and radians.
 
+mod around;
 pub mod bbox;
+pub mod chain;
 pub mod contour;
 pub mod index;
 pub mod intersect;
