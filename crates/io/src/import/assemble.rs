@@ -1,11 +1,11 @@
 //! From a sketch to a region: loose segments are chained, loops nested and healed, the origin set.
 
 use super::error::{FaultKind, ImportError, Place, Warning};
-use super::pending_chain::{self as chain, Open};
 use super::sketch::{Loop, Sketch, Source};
 use super::{Drawing, ImportOptions, Origin};
+use pocketry_geom::chain::{self, Branch, ChainNote, Chains, OpenChain};
 use pocketry_geom::repair::{self, Note, RegionError, RepairOptions};
-use pocketry_geom::{Contour, Point, Region, Segment, Vec2};
+use pocketry_geom::{BBox, Contour, Point, Region, Segment, Vec2, tolerance};
 use std::collections::HashMap;
 
 /// Makes a region of a sketch.
@@ -67,7 +67,7 @@ fn chain_loose(sketch: &mut Sketch, options: &ImportOptions) -> Result<(), Impor
         return Ok(());
     }
     let pieces: Vec<Segment> = sketch.loose.iter().map(|l| l.segment).collect();
-    let chains = chain::chain(&pieces, options.join_tolerance);
+    let chains = chain_in_two_passes(&pieces, options.join_tolerance);
     let source_of = |k: usize| sketch.loose[k].source;
     let place_of = |k: usize| sketch.sources[source_of(k) as usize].place();
     let mut loops = Vec::with_capacity(chains.closed.len());
@@ -78,25 +78,88 @@ fn chain_loose(sketch: &mut Sketch, options: &ImportOptions) -> Result<(), Impor
     let alone = loops.is_empty() && sketch.loops.is_empty();
     let mut warnings = Vec::new();
     for open in &chains.open {
-        warnings.push(left_out(open, alone, place_of)?);
+        let place = open.pieces.first().map_or_else(Place::default, |&k| place_of(k)).at(open.start);
+        let length = open.pieces.iter().map(|&k| pieces[k].length()).sum();
+        warnings.push(left_out(open, length, alone, &chains.branches, place)?);
     }
-    //NOTES warnings.extend(chains.notes.iter().map(|note| Warning::new(place_of(note.pieces().0), note.to_string())));
+    warnings.extend(chains.notes.iter().map(|note| chain_warning(note, place_of)));
     sketch.loops.extend(loops);
     sketch.warnings.extend(warnings);
     Ok(())
 }
 
-/// An open chain: a stray line is left out, one that all but closes is a contour that the machinist means.
-fn left_out(open: &Open, alone: bool, place_of: impl Fn(usize) -> Place) -> Result<Warning, ImportError> {
-    let place = open.pieces.first().map_or_else(Place::default, |&k| place_of(k)).at(open.start);
-    let (from, to) = (open.start, open.end);
-    let gap = from.distance(to);
-    let ends = format!("ends at ({:.4}, {:.4}) and ({:.4}, {:.4}), {gap:.4} mm apart", from.x, from.y, to.x, to.y);
-    if alone || gap < 0.5 * open.length {
-        let hint = "close the gap in the drawing, or raise the join tolerance if it is that small";
-        return Err(ImportError::new(FaultKind::Open, place, format!("the contour is open: {ends}"), hint));
+/// Chains what meets but for rounding first, so that details finer than the join tolerance survive; only what stays open
+/// then is joined within the tolerance.
+fn chain_in_two_passes(pieces: &[Segment], join_tolerance: f64) -> Chains {
+    let bbox = pieces.iter().fold(BBox::EMPTY, |b, s| b.union(s.bbox()));
+    let rounding = tolerance::touch_length(bbox);
+    let mut chains = chain::chain(pieces, rounding.min(join_tolerance));
+    chains.notes.retain(|note| !matches!(note, ChainNote::Joined { .. }));
+    let rest: Vec<usize> = chains.open.iter().flat_map(|open| open.pieces.iter().copied()).collect();
+    if rest.is_empty() || join_tolerance <= rounding {
+        return chains;
     }
-    Ok(Warning::new(place, format!("an open line is left out ({ends})")))
+    let loose: Vec<Segment> = rest.iter().map(|&k| pieces[k]).collect();
+    let second = renamed(chain::chain(&loose, join_tolerance), &rest);
+    chains.closed.extend(second.closed);
+    chains.notes.extend(second.notes);
+    Chains { open: second.open, branches: second.branches, ..chains }
+}
+
+/// The same chains with their pieces named by `names`.
+fn renamed(mut chains: Chains, names: &[usize]) -> Chains {
+    let rename = |pieces: &mut Vec<usize>| pieces.iter_mut().for_each(|k| *k = names[*k]);
+    chains.closed.iter_mut().for_each(|(_, pieces)| rename(pieces));
+    chains.open.iter_mut().for_each(|open| rename(&mut open.pieces));
+    chains.branches.iter_mut().for_each(|branch| rename(&mut branch.pieces));
+    for note in &mut chains.notes {
+        match note {
+            ChainNote::ZeroLength { piece, .. } | ChainNote::Joined { piece, .. } => *piece = names[*piece],
+            ChainNote::Duplicate { piece, kept: other, .. } | ChainNote::Covered { piece, by: other, .. } => {
+                (*piece, *other) = (names[*piece], names[*other]);
+            }
+        }
+    }
+    chains
+}
+
+/// An open chain: a stray line is left out, one that all but closes is a contour that the machinist means.
+fn left_out(
+    open: &OpenChain,
+    length: f64,
+    alone: bool,
+    branches: &[Branch],
+    place: Place,
+) -> Result<Warning, ImportError> {
+    let (from, to) = (open.start, open.end);
+    let ends = format!("({:.4}, {:.4}) and ({:.4}, {:.4})", from.x, from.y, to.x, to.y);
+    let branches_at = |p: Point| branches.iter().any(|b| b.at == p);
+    if branches_at(from) && branches_at(to) {
+        let problem = format!("at {ends} three or more lines meet, and it isn't clear which of them bound the pocket");
+        return Err(ImportError::new(FaultKind::Open, place, problem, "remove the line that is none of its walls"));
+    }
+    if alone || open.gap < 0.5 * length {
+        let problem = format!("the contour is open: it ends at {ends}, {:.4} mm apart", open.gap);
+        let hint = "close the gap in the drawing, or raise the join tolerance if it is that small";
+        return Err(ImportError::new(FaultKind::Open, place, problem, hint));
+    }
+    Ok(Warning::new(place, format!("an open line, from and to {ends}, is left out")))
+}
+
+fn chain_warning(note: &ChainNote, place_of: impl Fn(usize) -> Place) -> Warning {
+    let (piece, at, message) = match *note {
+        ChainNote::ZeroLength { piece, at } => (piece, at, "it has no length and is left out".to_owned()),
+        ChainNote::Duplicate { piece, kept, at } => {
+            (piece, at, format!("it is drawn twice ({}) and used once", place_of(kept)))
+        }
+        ChainNote::Covered { piece, by, at } => {
+            (piece, at, format!("it lies on another line ({}) and is left out", place_of(by)))
+        }
+        ChainNote::Joined { piece, at, count, widest } => {
+            (piece, at, format!("{count} gap(s) of up to {widest:.2e} mm are closed by moving ends"))
+        }
+    };
+    Warning::new(place_of(piece).at(at), message)
 }
 
 /// A region's error in the words of the drawing.

@@ -358,7 +358,7 @@ mod tests {
         for quarter in &quarters {
             all.extend(checked(std::slice::from_ref(quarter), 1e-3));
         }
-        assert!(all.len() <= 60, "{} arcs", all.len());
+        assert!(all.len() <= 72, "{} arcs", all.len());
         assert!(largest_kink(&all) < 1e-5, "{}", largest_kink(&all));
         assert!((Contour::new(all).area() - 800.0 * TAU / 2.0).abs() < 0.1);
     }

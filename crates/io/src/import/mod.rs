@@ -15,7 +15,6 @@ mod error;
 mod fit;
 mod json;
 mod nurbs;
-mod pending_chain;
 mod sketch;
 mod spline_fit;
 mod svg;
