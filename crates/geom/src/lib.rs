@@ -6,6 +6,7 @@ mod around;
 pub mod bbox;
 pub mod chain;
 pub mod contour;
+pub mod distance;
 pub mod index;
 pub mod intersect;
 pub mod nesting;

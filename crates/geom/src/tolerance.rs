@@ -44,9 +44,10 @@ pub const TOUCH: f64 = 1e-11;
 /// Arcs lie on one circle where centre and radius agree to this; they then share both exactly. *Relative.*
 pub const SAME_CIRCLE: f64 = 1e-9;
 
-/// Two contours that nowhere lie farther apart than this are one curve drawn twice. *Relative*, and never above the join
-/// tolerance: a channel as narrow holds no tool, so nothing that can be milled is lost.
-pub const SAME_CONTOUR: f64 = 1e-5;
+/// Two contours that nowhere lie farther apart than this are one curve drawn twice, and a sliver no wider than this
+/// between two curves that cross is what rounding made of a tangency. *Relative*, and never above the join tolerance:
+/// a channel as narrow holds no tool, so nothing that can be milled is lost.
+pub const NARROW: f64 = 1e-5;
 
 /// Directions that differ by less are compared by where their curves lead, rad: a touch point known to [`TOUCH`] leaves
 /// the tangent of a curve there uncertain by the square root of it at worst.
