@@ -13,6 +13,7 @@ pub mod nesting;
 pub mod point;
 pub mod predicates;
 pub mod ray;
+pub mod quadrature;
 pub mod region;
 pub mod repair;
 pub mod segment;
