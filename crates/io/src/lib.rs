@@ -1,1 +1,3 @@
-//! To be written.
+//! Drawings in, programs and pictures out.
+
+pub mod import;
