@@ -75,3 +75,7 @@ pub mod skeleton {
     /// Width, of an interval from 0 to 1, at which a bisection has converged.
     pub const BISECTION: f64 = 1e-18;
 }
+
+/// How far the end of a straight step towards a wall may miss the loop that it leads to, *relative*: what offsets may be
+/// off, ten times over.
+pub const LANDING: f64 = 1e-6;

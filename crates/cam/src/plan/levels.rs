@@ -46,7 +46,9 @@ impl Levels {
             let mut of_root: BTreeMap<VertexId, u32> = BTreeMap::new();
             for found in offset.loops {
                 let root = flood.sets.find(skeleton.target(found.crossings[0]));
-                let area = *of_root.entry(root).or_insert_with(|| levels.add_area(Some(flood.highest[root as usize]), skeleton));
+                let area = *of_root
+                    .entry(root)
+                    .or_insert_with(|| levels.add_area(Some(flood.highest[root as usize]), skeleton));
                 levels.areas[area as usize].tracks.push(levels.tracks.len() as u32);
                 levels.tracks.push(Track::of_loop(found, d, level));
             }

@@ -57,11 +57,14 @@ pub fn plan(region: &Region, skeleton: &Skeleton, job: &PocketJob) -> Result<Pla
     let trees = Trees::new(skeleton);
     let levels = Levels::new(skeleton, &distances(first, stepover, highest))?;
     if levels.tracks.is_empty() {
-        return Err(PlanError::DoesNotFit { diameter: job.tool.diameter, largest: 2.0 * (highest - job.stock_to_leave) });
+        return Err(PlanError::DoesNotFit {
+            diameter: job.tool.diameter,
+            largest: 2.0 * (highest - job.stock_to_leave),
+        });
     }
     let chains = Orderer::new(skeleton, &levels).chains();
     warnings.extend(report::unreached(skeleton, &trees, first, job.stock_to_leave));
-    let mut plan = moves::write(skeleton, &levels, &chains, job, first);
+    let mut plan = moves::write(&levels, &chains, job, first);
     plan.control_vertices = trees.controls().len();
     warnings.append(&mut plan.warnings);
     plan.warnings = warnings;
@@ -71,10 +74,9 @@ pub fn plan(region: &Region, skeleton: &Skeleton, job: &PocketJob) -> Result<Pla
 
 /// Step 2 of algorithm 4.1: the distances of the loops, in increasing order.
 fn distances(first: f64, stepover: f64, highest: f64) -> Vec<f64> {
-    (0_u32..)
-        .map(|k| first + f64::from(k) * stepover)
-        .take_while(|&d| d == first || d < highest)
-        .collect()
+    let more = ((highest - first) / stepover).ceil().max(0.0) as u32;
+    let further = (1..=more).map(|k| first + f64::from(k) * stepover).filter(|&d| d < highest);
+    std::iter::once(first).chain(further).collect()
 }
 
 fn clamped_stepover(job: &PocketJob, warnings: &mut Vec<Warning>) -> f64 {

@@ -87,7 +87,8 @@ impl Track {
             let (before, after) = segments[0].split_at(p);
             segments[0] = after;
             segments.push(before);
-            crossings.push(std::mem::replace(&mut crossings[0], NONE));
+            crossings[0] = NONE;
+            crossings.push(NONE);
         }
         Cut { segments, crossings, start: p }
     }
