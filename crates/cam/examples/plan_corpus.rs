@@ -94,6 +94,13 @@ fn judge(record: &Record, svg: Option<&str>) -> Result<String, Failure> {
     let contours = record.loops.iter().map(|l| Contour::from_vertices(l)).collect();
     let healed = repair::build(contours, &RepairOptions::default()).map_err(|e| ("region", e.to_string()))?;
     let skeleton = Skeleton::build(&healed.region).map_err(|e| ("skeleton", e.to_string()))?;
+    let (walls, size) = (Walls::new(&healed.region), healed.region.bbox().size());
+    for v in skeleton.vertices() {
+        let c = walls.distance(v.point);
+        if (c - v.clearance).abs() > 1e-7 * size {
+            return Err(("wrong skeleton", format!("clearance {} should be {c} at {:?}", v.clearance, v.point)));
+        }
+    }
     let mut job = PocketJob::for_diameter(2.0 * record.tool_radius);
     job.stepover = record.interval;
     let plan = match plan(&healed.region, &skeleton, &job) {
@@ -220,7 +227,13 @@ fn picture(region: &Region, plan: &Plan) -> String {
     let w = b.size() / 500.0;
     let mut svg = format!(
         "<svg xmlns='http://www.w3.org/2000/svg' width='1000' height='{}' viewBox='{} {} {} {}'><rect x='{}' y='{}' width='100%' height='100%' fill='white'/>",
-        1000.0 * b.height() / b.width(), b.min.x, -b.max.y, b.width(), b.height(), b.min.x, -b.max.y
+        1000.0 * b.height() / b.width(),
+        b.min.x,
+        -b.max.y,
+        b.width(),
+        b.height(),
+        b.min.x,
+        -b.max.y
     );
     let mut draw = |segments: &[Segment], color: &str, width: f64| {
         let _ = write!(svg, "<path d='{}' fill='none' stroke='{color}' stroke-width='{width}'/>", path(segments));
@@ -246,7 +259,8 @@ fn picture(region: &Region, plan: &Plan) -> String {
             EntryKind::Ramp => (g.start, 2.0 * w, "orange"),
             EntryKind::Plunge => (g.start, 2.0 * w, "red"),
         };
-        let _ = write!(svg, "<circle cx='{}' cy='{}' r='{r}' fill='none' stroke='{color}' stroke-width='{w}'/>", c.x, -c.y);
+        let _ =
+            write!(svg, "<circle cx='{}' cy='{}' r='{r}' fill='none' stroke='{color}' stroke-width='{w}'/>", c.x, -c.y);
     }
     svg + "</svg>"
 }

@@ -4,10 +4,10 @@
 
 pub mod bbox;
 pub mod contour;
-pub mod offset;
 pub mod index;
 pub mod intersect;
 pub mod nesting;
+pub mod offset;
 pub mod point;
 pub mod predicates;
 pub mod ray;

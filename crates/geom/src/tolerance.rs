@@ -110,3 +110,7 @@ pub fn touch_length(bbox: crate::BBox) -> f64 {
     let largest = [bbox.min.x, bbox.min.y, bbox.max.x, bbox.max.y].into_iter().fold(0.0, |m: f64, c| m.max(c.abs()));
     (TOUCH * bbox.size()).max(COORDINATE_ROUNDOFF * largest)
 }
+
+/// A landing this near to the end of a loop's segment is moved there, *relative*: it would leave a piece shorter than what
+/// offsets may be off, of which an arc could turn round.
+pub const LANDING_SNAP: f64 = 1e-8;
