@@ -5,6 +5,7 @@
 //! Building takes O(n log n); a query visits what its answer needs and little more.
 
 use crate::bbox::BBox;
+use crate::distance;
 use crate::point::Point;
 use crate::ray::{Hit, crossings_left, lies_right};
 use crate::segment::Segment;
@@ -84,8 +85,14 @@ impl SegmentIndex {
         self.least(bound, |node| node.distance(at), |segment| segment.distance(p))
     }
 
+    /// The segment nearest to a line or arc among those closer than `bound`, and its distance; see [`distance::between`].
+    pub fn nearest_to(&self, s: &Segment, bound: f64) -> Option<(usize, f64)> {
+        let own = Oriented::around(std::slice::from_ref(s), self.origin);
+        self.least(bound, |node| node.gap(&own), |segment| distance::between(segment, s))
+    }
+
     /// The segment for which `measure` is least and below `bound`; `floor` must be a lower bound of it for all in a box.
-    pub(crate) fn least(
+    fn least(
         &self,
         bound: f64,
         floor: impl Fn(&Oriented) -> f64,
@@ -220,11 +227,6 @@ impl SegmentIndex {
             }
         }
         count
-    }
-
-    /// Where the index's own coordinates begin: boxes given to [`Self::least`] are relative to it.
-    pub(crate) const fn origin(&self) -> Point {
-        self.origin
     }
 }
 

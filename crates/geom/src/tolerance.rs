@@ -19,9 +19,10 @@ pub const TOUCH: f64 = 1e-11;
 /// Arcs lie on one circle where centre and radius agree to this; they then share both exactly. *Relative.*
 pub const SAME_CIRCLE: f64 = 1e-9;
 
-/// Two contours that nowhere lie farther apart than this are one curve drawn twice. *Relative*, and never above the join
-/// tolerance: a channel as narrow holds no tool, so nothing that can be milled is lost.
-pub const SAME_CONTOUR: f64 = 1e-5;
+/// Two contours that nowhere lie farther apart than this are one curve drawn twice, and a sliver no wider than this
+/// between two curves that cross is what rounding made of a tangency. *Relative*, and never above the join tolerance:
+/// a channel as narrow holds no tool, so nothing that can be milled is lost.
+pub const NARROW: f64 = 1e-5;
 
 /// Directions that differ by less are compared by where their curves lead, rad: a touch point known to [`TOUCH`] leaves
 /// the tangent of a curve there uncertain by the square root of it at worst.
@@ -136,6 +137,8 @@ pub mod skeleton {
     pub const FIRST_PROBE: f64 = 1.0 / 1024.0;
     /// No disk inside the region is as large as this.
     pub const LARGEST_DISK: f64 = 2.0;
+    /// Steps along the wall from an element to the one that owns a contact: reflex vertex and cut pieces between.
+    pub const HOPS: usize = 6;
     /// Corrections of a guess before the bracketed search takes over; two or three are usual.
     pub const GUESSES: usize = 200;
     /// Width, of an interval from 0 to 1, at which a bisection has converged.

@@ -1,20 +1,12 @@
 //! Loops that enclose nothing, and loops drawn twice.
 
-use super::RepairOptions;
 use super::report::Note;
 use crate::bbox::BBox;
 use crate::contour::Contour;
 use crate::index::SegmentIndex;
-use crate::tolerance::SAME_CONTOUR;
 
-/// Drops every loop that another one repeats, however split, started or directed.
-pub(super) fn drop_repeated(
-    loops: &mut Vec<(u32, Contour)>,
-    options: &RepairOptions,
-    bbox: BBox,
-    notes: &mut Vec<Note>,
-) {
-    let tolerance = options.join_tolerance.min(SAME_CONTOUR * bbox.size());
+/// Drops every loop that another one repeats within the tolerance, however split, started or directed.
+pub(super) fn drop_repeated(loops: &mut Vec<(u32, Contour)>, tolerance: f64, notes: &mut Vec<Note>) {
     let boxes: Vec<BBox> = loops.iter().map(|(_, c)| c.bbox()).collect();
     let mut order: Vec<usize> = (0..loops.len()).collect();
     order.sort_by(|&a, &b| boxes[a].min.x.total_cmp(&boxes[b].min.x).then(a.cmp(&b)));

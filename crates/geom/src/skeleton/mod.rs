@@ -3,6 +3,7 @@
 mod assemble;
 mod boxes;
 mod build;
+pub mod check;
 mod cycle;
 mod element;
 #[cfg(test)]
