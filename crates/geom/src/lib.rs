@@ -10,6 +10,7 @@ pub mod distance;
 pub mod index;
 pub mod intersect;
 pub mod nesting;
+pub mod offset;
 pub mod point;
 pub mod predicates;
 pub mod quadrature;
