@@ -30,5 +30,5 @@ pub const ARC_SWEEP_MIN: f64 = 1e-5;
 pub const ARC_RADII_WRITTEN: f64 = 0.001;
 
 /// Share of the gouge budget that one step of the written decimals may take: rounding moves a point of the path by
-/// up to three steps (end, centre, radius), which leaves five sixths of the budget.
-pub const ROUNDING_SHARE: f64 = 0.05;
+/// up to three steps (end, centre, radius), which leaves more than half of the budget.
+pub const ROUNDING_SHARE: f64 = 0.15;

@@ -1,1 +1,3 @@
-//! To be written.
+//! Drawings in, programs and pictures out: importers, posts, plots and exports. Text only; files are the caller's.
+
+pub mod post;
