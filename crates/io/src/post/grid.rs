@@ -52,7 +52,7 @@ pub(crate) struct Grid {
 
 impl Grid {
     pub(crate) fn new(unit: OutputUnit, decimals: usize) -> Self {
-        Self { unit, decimals, per_unit: 10f64.powi(decimals as i32) }
+        Self { unit, decimals, per_unit: (0..decimals).fold(1.0, |power, _| 10.0 * power) }
     }
 
     /// One step, mm.
