@@ -32,3 +32,37 @@ pub const ARC_RADII_WRITTEN: f64 = 0.001;
 /// Share of the gouge budget that one step of the written decimals may take: rounding moves a point of the path by
 /// up to three steps (end, centre, radius), which leaves more than half of the budget.
 pub const ROUNDING_SHARE: f64 = 0.15;
+
+/// Tolerances of the skeleton's construction, *relative*: it computes in a frame scaled to size 0.5 … 1.
+pub mod skeleton {
+    /// A disk is empty if no site reaches deeper into it than this. Some ten times the rounding of a distance.
+    pub const EMPTY: f64 = 1e-12;
+    /// Residual of a vertex at which no refinement can gain any more: a few units of rounding.
+    pub const EXACT: f64 = 1e-15;
+    /// Residual up to which a closed-form vertex is believed; above it the bracketed search takes over.
+    pub const RESIDUAL: f64 = 3e-13;
+    /// How far outside its element's extent the foot of a vertex may fall: feet are the worst-conditioned
+    /// numbers (an error of the clearance by `e` moves a foot by `sqrt(e)` at nearly tangent contacts).
+    pub const FOOT: f64 = 1e-9;
+    /// Contacts nearer to one another than this count as being in order around the disk.
+    pub const ORDER: f64 = 1e-18;
+    /// Newton steps on the three gaps of a vertex.
+    pub const NEWTON_STEPS: usize = 2;
+    /// Turn between two lines, radians, below which their joint is smooth: the clearance on its normal is then off by
+    /// at most an eighth of the square.
+    pub const SMOOTH_LINES: f64 = 1e-5;
+    /// Turn, radians, below which a joint with an arc is smooth.
+    pub const SMOOTH_ARCS: f64 = 1e-9;
+    /// Turn from a cusp of angle 0 or 2π, radians, below which curvature and not direction tells which it is.
+    pub const CUSP: f64 = 1e-9;
+    /// Two disks nearer to one another than this are one vertex of higher degree, verified already.
+    pub const SAME_DISK: f64 = 1e-14;
+    /// Where the growth of a disk from a contact starts, and where it is given up: nothing is larger than the frame.
+    pub const FIRST_PROBE: f64 = 1.0 / 1024.0;
+    /// No disk inside the region is as large as this.
+    pub const LARGEST_DISK: f64 = 2.0;
+    /// Corrections of a guess before the bracketed search takes over; two or three are usual.
+    pub const GUESSES: usize = 200;
+    /// Width, of an interval from 0 to 1, at which a bisection has converged.
+    pub const BISECTION: f64 = 1e-18;
+}
