@@ -70,3 +70,9 @@ impl Failure {
         ErrorReport { kind: self.kind, message: self.message.clone() }
     }
 }
+
+impl Display for ErrorReport {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.message)
+    }
+}
