@@ -4,6 +4,7 @@
 
 pub mod bbox;
 pub mod contour;
+pub mod offset;
 pub mod point;
 pub mod region;
 pub mod segment;

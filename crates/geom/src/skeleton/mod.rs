@@ -5,10 +5,13 @@ mod boxes;
 mod build;
 mod cycle;
 mod element;
+#[cfg(test)]
+pub(crate) mod handmade;
 mod joints;
 mod recursion;
 mod search;
 mod topology;
+pub mod trees;
 mod vertex;
 
 pub use build::SkeletonError;
