@@ -4,9 +4,15 @@
 
 pub mod bbox;
 pub mod contour;
+pub mod index;
+pub mod intersect;
+pub mod nesting;
 pub mod offset;
 pub mod point;
+pub mod predicates;
+pub mod ray;
 pub mod region;
+pub mod repair;
 pub mod segment;
 pub mod skeleton;
 pub mod tolerance;

@@ -1,0 +1,232 @@
+//! A spatial index over lines and arcs: nearest segment, segments near a box, pairs that come close, first hit to the left.
+//!
+//! An implicit binary tree over the segments in Hilbert order of their middles. Its boxes are oriented along what they
+//! hold, so that bundles of long parallel or radial edges stay apart where axis-parallel boxes would all overlap.
+//! Building takes O(n log n); a query visits what its answer needs and little more.
+
+use crate::bbox::BBox;
+use crate::point::Point;
+use crate::ray::{Hit, crossings_left};
+use crate::segment::Segment;
+use crate::tolerance::COORDINATE_ROUNDOFF;
+use std::ops::ControlFlow;
+
+mod boxes;
+mod hilbert;
+
+use boxes::Oriented;
+
+/// Segments in a leaf.
+const LEAF: usize = 4;
+
+/// The index; segments are known by their place in the slice that it was built from.
+#[derive(Clone, Debug, Default)]
+pub struct SegmentIndex {
+    origin: Point,
+    slack: f64,
+    leaves: usize,
+    /// Node `k` has the children `2k` and `2k + 1`; leaf `j` is node `leaves + j`. Coordinates relative to `origin`.
+    nodes: Vec<Oriented>,
+    order: Vec<u32>,
+    segments: Vec<Segment>,
+}
+
+impl SegmentIndex {
+    /// Builds the index.
+    pub fn new(segments: &[Segment]) -> Self {
+        if segments.is_empty() {
+            return Self::default();
+        }
+        let bbox = segments.iter().fold(BBox::EMPTY, |b, s| b.with(s.start()).with(s.end()));
+        let order = hilbert::order(segments, bbox);
+        let leaves = segments.len().div_ceil(LEAF).next_power_of_two();
+        let largest = bbox.max.to_vec().length().max(bbox.min.to_vec().length());
+        let mut index = Self {
+            origin: bbox.center(),
+            slack: COORDINATE_ROUNDOFF * (largest + bbox.size()),
+            leaves,
+            nodes: vec![Oriented::EMPTY; 2 * leaves],
+            segments: order.iter().map(|&k| segments[k as usize]).collect(),
+            order,
+        };
+        for leaf in 0..leaves {
+            index.nodes[leaves + leaf] = Oriented::around(&index.segments[index.items(leaf)], index.origin);
+        }
+        for node in (1..leaves).rev() {
+            index.nodes[node] = Oriented::merged(&index.nodes[2 * node], &index.nodes[2 * node + 1]);
+        }
+        index
+    }
+
+    /// Number of segments.
+    pub fn len(&self) -> usize {
+        self.segments.len()
+    }
+
+    /// Whether it holds no segment.
+    pub fn is_empty(&self) -> bool {
+        self.segments.is_empty()
+    }
+
+    fn items(&self, leaf: usize) -> std::ops::Range<usize> {
+        let n = self.segments.len();
+        leaf * n / self.leaves..(leaf + 1) * n / self.leaves
+    }
+
+    /// The segment nearest to `p` and its distance; of several equally near ones any. `None` in an empty index.
+    pub fn nearest(&self, p: Point) -> Option<(usize, f64)> {
+        self.nearest_within(p, f64::INFINITY)
+    }
+
+    /// The segment nearest to `p` among those closer than `bound`, and its distance.
+    pub fn nearest_within(&self, p: Point, bound: f64) -> Option<(usize, f64)> {
+        let at = p - self.origin;
+        self.least(bound, |node| node.distance(at), |segment| segment.distance(p))
+    }
+
+    /// The segment for which `measure` is least and below `bound`; `floor` must be a lower bound of it for all in a box.
+    pub(crate) fn least(
+        &self,
+        bound: f64,
+        floor: impl Fn(&Oriented) -> f64,
+        measure: impl Fn(&Segment) -> f64,
+    ) -> Option<(usize, f64)> {
+        if self.is_empty() {
+            return None;
+        }
+        let mut best = (usize::MAX, bound);
+        let mut stack = vec![(1, floor(&self.nodes[1]))];
+        while let Some((node, lower)) = stack.pop() {
+            if lower - self.slack >= best.1 {
+                continue;
+            }
+            if node >= self.leaves {
+                for k in self.items(node - self.leaves) {
+                    let d = measure(&self.segments[k]);
+                    if d < best.1 {
+                        best = (self.order[k] as usize, d);
+                    }
+                }
+                continue;
+            }
+            let children = [2 * node, 2 * node + 1].map(|c| (c, floor(&self.nodes[c])));
+            let nearer = usize::from(children[1].1 < children[0].1);
+            stack.push(children[1 - nearer]);
+            stack.push(children[nearer]);
+        }
+        (best.0 != usize::MAX).then_some(best)
+    }
+
+    /// Calls `found` for every segment that comes within `margin` of `bbox`, and for some whose own boxes do.
+    pub fn visit(&self, bbox: BBox, margin: f64, mut found: impl FnMut(usize, &Segment)) {
+        let near = Oriented::of(bbox, self.origin);
+        let grown = bbox.inflated(margin + self.slack);
+        self.visit_nodes(&near, margin, |k| {
+            if self.segments[k].bbox().intersects(grown) {
+                found(self.order[k] as usize, &self.segments[k]);
+            }
+        });
+    }
+
+    fn visit_nodes(&self, near: &Oriented, margin: f64, mut found: impl FnMut(usize)) {
+        if self.is_empty() {
+            return;
+        }
+        let mut stack = vec![1];
+        while let Some(node) = stack.pop() {
+            if !self.nodes[node].comes_within(near, margin + self.slack) {
+                continue;
+            }
+            if node >= self.leaves {
+                self.items(node - self.leaves).for_each(&mut found);
+            } else {
+                stack.extend([2 * node + 1, 2 * node]);
+            }
+        }
+    }
+
+    /// Calls `found` once for every pair of different segments that come within `margin` of each other, and for some
+    /// whose boxes do; the order of the pairs is that of the tree.
+    /// It stops early where `found` breaks, and returns what that says.
+    pub fn visit_pairs<B>(&self, margin: f64, mut found: impl FnMut(usize, usize) -> ControlFlow<B>) -> ControlFlow<B> {
+        if self.is_empty() {
+            return ControlFlow::Continue(());
+        }
+        let margin = margin + self.slack;
+        let boxes: Vec<BBox> = self.segments.iter().map(|s| s.bbox().inflated(0.5 * margin)).collect();
+        let mut stack = vec![(1, 1)];
+        while let Some((a, b)) = stack.pop() {
+            if a != b && !self.nodes[a].comes_within(&self.nodes[b], margin) {
+                continue;
+            }
+            if a >= self.leaves {
+                let (of_a, of_b) = (self.items(a - self.leaves), self.items(b - self.leaves));
+                for i in of_a {
+                    let from = if a == b { i + 1 } else { of_b.start };
+                    for j in (from..of_b.end).filter(|&j| boxes[i].intersects(boxes[j])) {
+                        found(self.order[i] as usize, self.order[j] as usize)?;
+                    }
+                }
+            } else if a == b {
+                stack.extend([(2 * a, 2 * a), (2 * a + 1, 2 * a + 1), (2 * a, 2 * a + 1)]);
+            } else {
+                stack.extend([(2 * a, 2 * b), (2 * a + 1, 2 * b), (2 * a, 2 * b + 1), (2 * a + 1, 2 * b + 1)]);
+            }
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// The first crossing of the ray from `p` towards −x with a segment that `admit` lets through.
+    pub fn first_left(&self, p: Point, admit: impl Fn(usize) -> bool) -> Option<(usize, Hit)> {
+        let mut best: Option<(usize, Hit)> = None;
+        let mut stack = if self.is_empty() { vec![] } else { vec![1] };
+        let right = p - self.origin;
+        while let Some(node) = stack.pop() {
+            let left = best.map_or(f64::NEG_INFINITY, |(_, hit)| hit.x - self.origin.x);
+            if !self.nodes[node].meets_row(left, right, self.slack) {
+                continue;
+            }
+            if node < self.leaves {
+                let children = [2 * node, 2 * node + 1];
+                let nearer = usize::from(self.nodes[children[1]].center().x > self.nodes[children[0]].center().x);
+                stack.extend([children[1 - nearer], children[nearer]]);
+                continue;
+            }
+            for k in self.items(node - self.leaves).filter(|&k| admit(self.order[k] as usize)) {
+                crossings_left(&self.segments[k], p, |hit| {
+                    if best.is_none_or(|(_, b)| hit.x > b.x) {
+                        best = Some((self.order[k] as usize, hit));
+                    }
+                });
+            }
+        }
+        best
+    }
+
+    /// How many crossings the ray from `p` towards −x has with all segments: odd inside a set of closed curves (even-odd).
+    pub fn crossings_left(&self, p: Point) -> usize {
+        let mut count = 0;
+        let mut stack = if self.is_empty() { vec![] } else { vec![1] };
+        while let Some(node) = stack.pop() {
+            if !self.nodes[node].meets_row(f64::NEG_INFINITY, p - self.origin, self.slack) {
+                continue;
+            }
+            if node < self.leaves {
+                stack.extend([2 * node, 2 * node + 1]);
+                continue;
+            }
+            for k in self.items(node - self.leaves) {
+                crossings_left(&self.segments[k], p, |_| count += 1);
+            }
+        }
+        count
+    }
+
+    /// Where the index's own coordinates begin: boxes given to [`Self::least`] are relative to it.
+    pub(crate) const fn origin(&self) -> Point {
+        self.origin
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,130 @@
+//! Where a horizontal line meets segments: the ground of point location, parity and nesting.
+//!
+//! The rule is half-open in y, so that a line through a vertex counts every crossing of a closed curve exactly once.
+
+use crate::point::{Point, point, vec2};
+use crate::predicates::orientation;
+use crate::segment::{Arc, Line, Segment};
+
+/// A place where a horizontal line crosses a segment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit {
+    /// Abscissa of the crossing.
+    pub x: f64,
+    /// Whether the segment runs upwards there.
+    pub upward: bool,
+}
+
+/// Calls `found` for every crossing of `segment` with the horizontal line through `p` that lies strictly to the left of `p`.
+pub fn crossings_left(segment: &Segment, p: Point, mut found: impl FnMut(Hit)) {
+    match segment {
+        Segment::Line(l) => line_crossing(l, p).into_iter().for_each(&mut found),
+        Segment::Arc(a) => arc_crossings(a, p, &mut found),
+    }
+}
+
+fn line_crossing(l: &Line, p: Point) -> Option<Hit> {
+    let upward = l.end.y > p.y;
+    if (l.start.y > p.y) == upward {
+        return None;
+    }
+    let side = orientation(l.start, l.end, p);
+    let to_the_right = if upward { side < 0.0 } else { side > 0.0 };
+    let t = (p.y - l.start.y) / (l.end.y - l.start.y);
+    to_the_right.then(|| Hit { x: l.start.x + t * (l.end.x - l.start.x), upward })
+}
+
+/// Splits the arc where its direction turns from up to down: between those points each piece crosses at most once.
+fn arc_crossings(a: &Arc, p: Point, found: &mut impl FnMut(Hit)) {
+    if p.x < a.center.x - a.radius && p.x < a.start.x.min(a.end.x) {
+        return;
+    }
+    let mut from = a.start.y;
+    let mut on_right = starts_on_right(a);
+    for _ in 0..extremes_passed(a) {
+        let rises = on_right == a.ccw;
+        let to = if rises { a.center.y + a.radius } else { a.center.y - a.radius };
+        piece_crossing(a, from, to, on_right, p, found);
+        from = to;
+        on_right = !on_right;
+    }
+    piece_crossing(a, from, a.end.y, on_right, p, found);
+}
+
+fn piece_crossing(a: &Arc, from: f64, to: f64, on_right: bool, p: Point, found: &mut impl FnMut(Hit)) {
+    let upward = to > p.y;
+    if (from > p.y) == upward {
+        return;
+    }
+    let height = p.y - a.center.y;
+    let half = ((a.radius - height) * (a.radius + height)).max(0.0).sqrt();
+    let x = if on_right { a.center.x + half } else { a.center.x - half };
+    if x < p.x {
+        found(Hit { x, upward });
+    }
+}
+
+/// How many of its circle's top and bottom lie in the arc.
+fn extremes_passed(a: &Arc) -> usize {
+    usize::from(a.spans(vec2(0.0, 1.0))) + usize::from(a.spans(vec2(0.0, -1.0)))
+}
+
+/// Whether the arc's first monotone piece lies in the right half of its circle.
+fn starts_on_right(a: &Arc) -> bool {
+    let (top, bottom) = (a.spans(vec2(0.0, 1.0)), a.spans(vec2(0.0, -1.0)));
+    match (top, bottom) {
+        (true, false) => a.ccw,
+        (false, true) => !a.ccw,
+        (false, false) => a.start.x + a.end.x > 2.0 * a.center.x,
+        (true, true) => a.start.x > a.center.x || (a.start.x == a.center.x && (a.start.y < a.center.y) == a.ccw),
+    }
+}
+
+/// The point of the segment with the smallest abscissa.
+pub fn leftmost(segment: &Segment) -> Point {
+    let ends = if segment.start().x <= segment.end().x { segment.start() } else { segment.end() };
+    match segment {
+        Segment::Arc(a) if a.spans(vec2(-1.0, 0.0)) && a.center.x - a.radius < ends.x => {
+            point(a.center.x - a.radius, a.center.y)
+        }
+        _ => ends,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn count(segments: &[Segment], p: Point) -> usize {
+        let mut n = 0;
+        segments.iter().for_each(|s| crossings_left(s, p, |_| n += 1));
+        n
+    }
+
+    #[test]
+    fn parity_of_a_circle_at_its_extremes_and_joints() {
+        let circle = |k: usize| {
+            let at = |j: usize| Point::ORIGIN + crate::Vec2::from_angle(std::f64::consts::TAU * j as f64 / k as f64);
+            let b = (std::f64::consts::FRAC_PI_2 / k as f64).tan();
+            (0..k).map(|j| Segment::from_bulge(at(j), at((j + 1) % k), b)).collect::<Vec<_>>()
+        };
+        for k in 2..9 {
+            for s in [circle(k), circle(k).iter().rev().map(Segment::reversed).collect()] {
+                for y in [-2.0, -1.0, -0.7, 0.0, 0.3, 1.0, 1.5] {
+                    assert_eq!(count(&s, point(5.0, y)) % 2, 0, "{k} {y}");
+                    if y.abs() < 0.9 {
+                        assert_eq!(count(&s, point(0.0, y)) % 2, 1, "{k} {y}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_line_through_a_vertex_counts_once() {
+        let (a, b, c) = (point(0.0, 0.0), point(1.0, 1.0), point(0.0, 2.0));
+        let chain = [Segment::line(a, b), Segment::line(b, c)];
+        assert_eq!(count(&chain, point(3.0, 1.0)), 1);
+        assert_eq!(count(&chain, point(0.5, 1.0)), 0);
+    }
+}

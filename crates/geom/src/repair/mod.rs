@@ -1,0 +1,113 @@
+//! From any closed loops to a valid [`Region`].
+//!
+//! The loops' fill is even-odd; their direction, order and starting points carry no meaning. The steps:
+//!
+//! 1. [`clean`]: every number finite and of a sane size, each loop closed, no edge of zero length, no full circle;
+//! 2. [`circles`]: arcs of one circle share its centre and radius exactly;
+//! 3. [`duplicates`]: loops without area and loops drawn twice are dropped;
+//! 4. [`contacts`]: edges that cross are an error; ends on other edges and tangencies are touches;
+//! 5. [`arrangement`]: edges are split at touches, pieces that cover each other cancel in pairs;
+//! 6. [`fans`], [`sides`]: which side of every edge is interior, by parity from the left;
+//! 7. [`splice`]: contours that keep the interior to the left and walk each wedge of it at a touch by itself;
+//! 8. nesting: the outer contour that each island lies directly inside.
+//!
+//! Each step takes O(n log n) for n edges, apart from what contacts there are. Whatever was changed is told in a
+//! [`Note`]; what can't be made a region is a [`RegionError`].
+
+mod arrangement;
+mod circles;
+mod clean;
+mod contacts;
+mod duplicates;
+mod fans;
+mod report;
+mod sides;
+mod splice;
+
+pub use report::{Note, RegionError};
+
+use crate::bbox::BBox;
+use crate::contour::Contour;
+use crate::nesting;
+use crate::region::Region;
+use crate::segment::Segment;
+use crate::tolerance;
+
+/// What may be changed to make a region.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RepairOptions {
+    /// Contours that nowhere lie farther apart than this are one drawn twice, mm; but see [`tolerance::SAME_CONTOUR`].
+    pub join_tolerance: f64,
+}
+
+impl Default for RepairOptions {
+    fn default() -> Self {
+        Self { join_tolerance: tolerance::JOIN }
+    }
+}
+
+/// A valid region, and what was done to get it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Healed {
+    /// The region.
+    pub region: Region,
+    /// What was changed; empty where the loops were a region as they came.
+    pub notes: Vec<Note>,
+}
+
+/// An edge and the input loop that it comes from.
+#[derive(Clone, Copy, Debug)]
+struct Edge {
+    segment: Segment,
+    contour: u32,
+}
+
+/// Makes a region of closed loops, filled even-odd.
+///
+/// # Errors
+/// Numbers that are not finite or absurdly large, loops that don't close, edges that cross, nothing that encloses an
+/// area: see [`RegionError`], which names the loops by their places in `loops`.
+pub fn build(loops: Vec<Contour>, options: &RepairOptions) -> Result<Healed, RegionError> {
+    let mut notes = Vec::new();
+    let count = loops.len();
+    let bbox = clean::check_numbers(&loops)?;
+    let touch = tolerance::touch_length(bbox);
+    let mut loops = clean::clean(loops, touch, &mut notes)?;
+    circles::snap(&mut loops, bbox);
+    duplicates::drop_repeated(&mut loops, options, bbox, &mut notes);
+    let (edges, next) = edges_of(&loops);
+    let contacts = contacts::find(&edges, &next, touch)?;
+    let (pieces, vertices) = arrangement::pieces(&edges, &next, contacts, touch, &mut notes);
+    if pieces.is_empty() {
+        return Err(RegionError::Nothing { loops: count, at: bbox.center() });
+    }
+    let fans = fans::Fans::new(&pieces, vertices);
+    let left = sides::interior_left(&pieces, &fans)?;
+    splice::touch_notes(&pieces, &fans, &mut notes);
+    let contours = splice::contours(&pieces, &fans, &left);
+    let parents = nesting::parents(&contours);
+    Ok(Healed { region: Region::from_parts_unchecked(contours, parents), notes })
+}
+
+/// All edges with the names of their loops, and for each the one that follows.
+fn edges_of(loops: &[(u32, Contour)]) -> (Vec<Edge>, Vec<u32>) {
+    let mut edges = Vec::new();
+    let mut next = Vec::new();
+    for (contour, c) in loops {
+        let first = edges.len() as u32;
+        edges.extend(c.segments.iter().map(|&segment| Edge { segment, contour: *contour }));
+        next.extend((first..edges.len() as u32).map(|k| k + 1));
+        if let Some(last) = next.last_mut() {
+            *last = first;
+        }
+    }
+    (edges, next)
+}
+
+/// The box of the loops' points.
+fn bbox_of(loops: &[Contour]) -> BBox {
+    loops.iter().fold(BBox::EMPTY, |b, c| b.union(c.bbox()))
+}
+
+#[cfg(test)]
+mod tests;
