@@ -6,7 +6,7 @@
 
 use crate::bbox::BBox;
 use crate::point::Point;
-use crate::ray::{Hit, crossings_left};
+use crate::ray::{Hit, crossings_left, lies_right};
 use crate::segment::Segment;
 use crate::tolerance::COORDINATE_ROUNDOFF;
 use std::ops::ControlFlow;
@@ -194,13 +194,13 @@ impl SegmentIndex {
             }
             for k in self.items(node - self.leaves).filter(|&k| admit(self.order[k] as usize)) {
                 crossings_left(&self.segments[k], p, |hit| {
-                    if best.is_none_or(|(_, b)| hit.x > b.x) {
-                        best = Some((self.order[k] as usize, hit));
+                    if best.is_none_or(|(b, h)| lies_right((&self.segments[k], hit), (&self.segments[b], h))) {
+                        best = Some((k, hit));
                     }
                 });
             }
         }
-        best
+        best.map(|(k, hit)| (self.order[k] as usize, hit))
     }
 
     /// How many crossings the ray from `p` towards −x has with all segments: odd inside a set of closed curves (even-odd).

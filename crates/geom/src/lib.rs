@@ -2,6 +2,7 @@
 //!
 //! Everything is in millimetres and radians.
 
+mod around;
 pub mod bbox;
 pub mod contour;
 pub mod index;

@@ -2,6 +2,7 @@
 //!
 //! The rule is half-open in y, so that a line through a vertex counts every crossing of a closed curve exactly once.
 
+use crate::around::before;
 use crate::point::{Point, point, vec2};
 use crate::predicates::orientation;
 use crate::segment::{Arc, Line, Segment};
@@ -13,6 +14,27 @@ pub struct Hit {
     pub x: f64,
     /// Whether the segment runs upwards there.
     pub upward: bool,
+    /// The end of the segment that it lies at; the segment leads upwards from there.
+    pub end: Option<End>,
+}
+
+/// An end of a segment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum End {
+    /// Where it begins.
+    Start,
+    /// Where it ends.
+    End,
+}
+
+/// Whether the first of two hits lies to the right of the second one. Hits in one vertex are told apart by where the
+/// segments lead upwards from there.
+pub fn lies_right((a, hit_a): (&Segment, Hit), (b, hit_b): (&Segment, Hit)) -> bool {
+    let from = |s: &Segment, end: End| if end == End::Start { *s } else { s.reversed() };
+    match (hit_a.end, hit_b.end) {
+        (Some(end_a), Some(end_b)) if hit_a.x == hit_b.x => before(&from(a, end_a), &from(b, end_b)).is_lt(),
+        _ => hit_a.x > hit_b.x,
+    }
 }
 
 /// Calls `found` for every crossing of `segment` with the horizontal line through `p` that lies strictly to the left of `p`.
@@ -31,7 +53,21 @@ fn line_crossing(l: &Line, p: Point) -> Option<Hit> {
     let side = orientation(l.start, l.end, p);
     let to_the_right = if upward { side < 0.0 } else { side > 0.0 };
     let t = (p.y - l.start.y) / (l.end.y - l.start.y);
-    to_the_right.then(|| Hit { x: l.start.x + t * (l.end.x - l.start.x), upward })
+    to_the_right.then(|| match end_at(l.start, l.end, p.y) {
+        Some((x, end)) => Hit { x, upward, end: Some(end) },
+        None => Hit { x: l.start.x + t * (l.end.x - l.start.x), upward, end: None },
+    })
+}
+
+/// The end that lies on the horizontal line, if the crossing with it does.
+fn end_at(start: Point, end: Point, y: f64) -> Option<(f64, End)> {
+    if start.y == y {
+        Some((start.x, End::Start))
+    } else if end.y == y {
+        Some((end.x, End::End))
+    } else {
+        None
+    }
 }
 
 /// Splits the arc where its direction turns from up to down: between those points each piece crosses at most once.
@@ -39,28 +75,42 @@ fn arc_crossings(a: &Arc, p: Point, found: &mut impl FnMut(Hit)) {
     if p.x < a.center.x - a.radius && p.x < a.start.x.min(a.end.x) {
         return;
     }
-    let mut from = a.start.y;
+    let mut from = (a.start.y, Some(End::Start));
     let mut on_right = starts_on_right(a);
     for _ in 0..extremes_passed(a) {
         let rises = on_right == a.ccw;
-        let to = if rises { a.center.y + a.radius } else { a.center.y - a.radius };
+        let to = (if rises { a.center.y + a.radius } else { a.center.y - a.radius }, None);
         piece_crossing(a, from, to, on_right, p, found);
         from = to;
         on_right = !on_right;
     }
-    piece_crossing(a, from, a.end.y, on_right, p, found);
+    piece_crossing(a, from, (a.end.y, Some(End::End)), on_right, p, found);
 }
 
-fn piece_crossing(a: &Arc, from: f64, to: f64, on_right: bool, p: Point, found: &mut impl FnMut(Hit)) {
-    let upward = to > p.y;
-    if (from > p.y) == upward {
+/// The crossing with a monotone piece between two heights, each perhaps an end of the arc.
+fn piece_crossing(
+    a: &Arc,
+    from: (f64, Option<End>),
+    to: (f64, Option<End>),
+    on_right: bool,
+    p: Point,
+    found: &mut impl FnMut(Hit),
+) {
+    let upward = to.0 > p.y;
+    if (from.0 > p.y) == upward {
         return;
     }
+    let end = [from, to].into_iter().filter(|e| e.0 == p.y).find_map(|e| e.1);
     let height = p.y - a.center.y;
     let half = ((a.radius - height) * (a.radius + height)).max(0.0).sqrt();
-    let x = if on_right { a.center.x + half } else { a.center.x - half };
+    let x = match end {
+        Some(End::Start) => a.start.x,
+        Some(End::End) => a.end.x,
+        None if on_right => a.center.x + half,
+        None => a.center.x - half,
+    };
     if x < p.x {
-        found(Hit { x, upward });
+        found(Hit { x, upward, end });
     }
 }
 

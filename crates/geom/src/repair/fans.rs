@@ -1,10 +1,9 @@
 //! The pieces at each vertex in angular order.
 
 use super::arrangement::Piece;
-use crate::point::Point;
+use crate::around::side_by_side;
 use crate::segment::Segment;
 use crate::tolerance::TANGENT;
-use std::cmp::Ordering;
 use std::f64::consts::TAU;
 
 /// A piece as it leaves a vertex: `2k` is piece `k` from its start, `2k + 1` from its end.
@@ -105,23 +104,4 @@ fn sort_around(pieces: &[Piece], fan: &mut [Dart]) {
         from = to;
     }
     fan.iter_mut().zip(keyed).for_each(|(d, k)| *d = k.1);
-}
-
-/// Which of two curves that leave a point in nearly the same direction comes first counter-clockwise: the right one.
-/// They don't cross, so the middle of the shorter one tells.
-fn side_by_side(a: &Segment, b: &Segment) -> Ordering {
-    if a.length() <= b.length() {
-        left_of(b, a.at(0.5)).total_cmp(&0.0)
-    } else {
-        0.0_f64.total_cmp(&left_of(a, b.at(0.5)))
-    }
-}
-
-/// How far `p` lies to the left of the segment's line or circle.
-fn left_of(segment: &Segment, p: Point) -> f64 {
-    match segment {
-        Segment::Line(l) => l.direction().cross(p - l.start),
-        Segment::Arc(a) if a.ccw => -a.radial_distance(p),
-        Segment::Arc(a) => a.radial_distance(p),
-    }
 }
