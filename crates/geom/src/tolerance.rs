@@ -33,6 +33,36 @@ pub const ARC_RADII_WRITTEN: f64 = 0.001;
 /// up to three steps (end, centre, radius), which leaves more than half of the budget.
 pub const ROUNDING_SHARE: f64 = 0.15;
 
+/// Offset segments shorter than this are dropped and their ends merged, *relative*: some thousand times the rounding
+/// of coordinates, so that what goes is noise, and a thousandth of what an offset may be off.
+pub const OFFSET_DROP: f64 = 1e-12;
+
+/// Skeleton edges whose clearance changes by no more than this are constant, *relative*: above the rounding of
+/// clearances, below any taper that a drawing means.
+pub const PLATEAU: f64 = 1e-11;
+
+/// One minus the rate at which clearance grows along an edge, below which the edge runs straight away from its sites
+/// (a spoke, or the bisector at a joint that is smooth but for rounding).
+pub const SPOKE_RATE: f64 = 1e-9;
+
+/// Squared half sum or half difference of two unit gradients below which a Newton step along it says nothing.
+pub const GRADIENT: f64 = 1e-14;
+
+/// A crossing whose clearance is off by more than this is sought again by bisection, *relative*: a hundredth of what
+/// an offset may be off.
+pub const CROSSING: f64 = 1e-9;
+
+/// A tool may enter a channel that is narrower than it by twice this, mm: a twentieth of [`GOUGE`], and more than the
+/// rounding of drawings with four decimals moves a wall.
+pub const FIT_SLACK: f64 = 1e-4;
+
+/// [`FIT_SLACK`] as a share of the offset distance, for tools so small that it would count.
+pub const FIT_SLACK_SHARE: f64 = 1e-4;
+
+/// Ends of degenerate paths shorter than this share of the offset distance are left out: the disk at their root covers
+/// their disks but for slivers thinner than what may stay uncut.
+pub const SPUR_SHARE: f64 = 1e-3;
+
 /// Tolerances of the skeleton's construction, *relative*: it computes in a frame scaled to size 0.5 … 1.
 pub mod skeleton {
     /// A disk is empty if no site reaches deeper into it than this. Some ten times the rounding of a distance.
@@ -71,9 +101,10 @@ pub mod skeleton {
 /// of coordinates, so that what goes is noise, and a thousandth of what an offset may be off.
 pub const OFFSET_DROP: f64 = 1e-12;
 
-/// Skeleton edges whose clearance changes by no more than this are constant, *relative*: above the rounding of
-/// clearances, below any taper that a drawing means.
-pub const PLATEAU: f64 = 1e-11;
+
+/// How far the end of a straight step towards a wall may miss the loop that it leads to, *relative*: what offsets may be
+/// off, ten times over.
+pub const LANDING: f64 = 1e-6;
 
 /// One minus the rate at which clearance grows along an edge, below which the edge runs straight away from its sites
 /// (a spoke, or the bisector at a joint that is smooth but for rounding).
@@ -96,6 +127,7 @@ pub const FIT_SLACK_SHARE: f64 = 1e-4;
 /// Ends of degenerate paths shorter than this share of the offset distance are left out: the disk at their root covers
 /// their disks but for slivers thinner than what may stay uncut.
 pub const SPUR_SHARE: f64 = 1e-3;
+
 
 /// Ends, crossings and tangencies closer than this are one point: a touch. *Relative.* Ten times what the last digits of
 /// polyline bulges and of rotated coordinates cost, and a tenth of the narrowest gap that drawings are known to mean.

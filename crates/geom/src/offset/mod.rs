@@ -14,7 +14,7 @@ use crate::segment::Segment;
 use crate::skeleton::{EdgeId, SiteId};
 use crate::tolerance::{FIT_SLACK, FIT_SLACK_SHARE};
 
-pub use voronoi::{VoronoiEngine, VoronoiOffsetter};
+pub use voronoi::{EdgeCurve, VoronoiEngine, VoronoiOffsetter, upward};
 
 /// An algorithm that offsets regions.
 pub trait OffsetEngine {

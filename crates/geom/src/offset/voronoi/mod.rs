@@ -24,8 +24,9 @@ mod stabbing;
 mod tests;
 mod walk;
 
-use super::{Degenerate, Offset, OffsetError, OffsetOptions, check_distance};
+use super::{Degenerate, Offset, OffsetEngine, OffsetError, OffsetOptions, check_distance};
 use crate::bbox::BBox;
+use crate::region::Region;
 use crate::skeleton::Skeleton;
 use stabbing::EdgeIntervals;
 
@@ -72,3 +73,16 @@ impl<'a> VoronoiOffsetter<'a> {
 /// The exact engine: builds the skeleton and walks it.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct VoronoiEngine;
+
+impl OffsetEngine for VoronoiEngine {
+    fn name(&self) -> &'static str {
+        "voronoi"
+    }
+
+    fn offsets(&self, region: &Region, distances: &[f64], options: &OffsetOptions) -> Result<Vec<Offset>, OffsetError> {
+        let skeleton =
+            Skeleton::build(region).map_err(|e| OffsetError::Region { engine: self.name(), reason: e.to_string() })?;
+        let offsetter = VoronoiOffsetter::new(&skeleton);
+        distances.iter().map(|&d| offsetter.offset(d, options)).collect()
+    }
+}
