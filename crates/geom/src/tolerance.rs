@@ -129,6 +129,31 @@ pub const FIT_SLACK_SHARE: f64 = 1e-4;
 pub const SPUR_SHARE: f64 = 1e-3;
 
 
+/// Share of the fit tolerance within which a curve counts as straight, or two arcs as one: a line or an arc in its
+/// place then costs nothing that the tolerance would notice.
+pub const STRAIGHT_SHARE: f64 = 1e-3;
+
+/// Control points of a curve nearer than this share of its extent are one place: rounding, not a direction.
+pub const COINCIDENT_CONTROL: f64 = 1e-9;
+
+/// A joint of curves that turns by more than this is a corner that the drawing means, radians; less is a smooth joint
+/// written with few decimals.
+pub const KINK: f64 = 1e-3;
+
+/// An ellipse whose axes differ by no more than this share of their length, or are no further from square, is a
+/// circle: ten times what a chain of rotations and scales in double precision leaves.
+pub const CIRCULAR: f64 = 1e-9;
+
+/// Angles of a drawing nearer than this are the same, radians: the last decimals that CAD systems write.
+pub const ANGLE: f64 = 1e-9;
+
+/// The steepest bulge that a drawing may have: the arc then lacks less than 1/400 of a degree of a full turn and
+/// its radius is a guess.
+pub const LARGEST_BULGE: f64 = 1e5;
+
+/// How far a drawing's normal may lean from the z axis, as the sine of the angle, and still be flat.
+pub const FLAT_NORMAL: f64 = 1e-6;
+
 /// Ends, crossings and tangencies closer than this are one point: a touch. *Relative.* Ten times what the last digits of
 /// polyline bulges and of rotated coordinates cost, and a tenth of the narrowest gap that drawings are known to mean.
 pub const TOUCH: f64 = 1e-11;

@@ -3,3 +3,7 @@
 pub mod export;
 pub mod plot;
 pub mod post;
+
+//! Drawings in, programs and pictures out.
+
+pub mod import;
