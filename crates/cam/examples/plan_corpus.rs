@@ -220,7 +220,13 @@ fn picture(region: &Region, plan: &Plan) -> String {
     let w = b.size() / 500.0;
     let mut svg = format!(
         "<svg xmlns='http://www.w3.org/2000/svg' width='1000' height='{}' viewBox='{} {} {} {}'><rect x='{}' y='{}' width='100%' height='100%' fill='white'/>",
-        1000.0 * b.height() / b.width(), b.min.x, -b.max.y, b.width(), b.height(), b.min.x, -b.max.y
+        1000.0 * b.height() / b.width(),
+        b.min.x,
+        -b.max.y,
+        b.width(),
+        b.height(),
+        b.min.x,
+        -b.max.y
     );
     let mut draw = |segments: &[Segment], color: &str, width: f64| {
         let _ = write!(svg, "<path d='{}' fill='none' stroke='{color}' stroke-width='{width}'/>", path(segments));
@@ -246,7 +252,8 @@ fn picture(region: &Region, plan: &Plan) -> String {
             EntryKind::Ramp => (g.start, 2.0 * w, "orange"),
             EntryKind::Plunge => (g.start, 2.0 * w, "red"),
         };
-        let _ = write!(svg, "<circle cx='{}' cy='{}' r='{r}' fill='none' stroke='{color}' stroke-width='{w}'/>", c.x, -c.y);
+        let _ =
+            write!(svg, "<circle cx='{}' cy='{}' r='{r}' fill='none' stroke='{color}' stroke-width='{w}'/>", c.x, -c.y);
     }
     svg + "</svg>"
 }

@@ -4,9 +4,9 @@ use crate::args::PocketArgs;
 use crate::console;
 use crate::drawing;
 use crate::failure::{Exit, Failure};
+use crate::job;
 use crate::output::{print, write_file};
 use crate::report::{JobReport, Status};
-use crate::run;
 use crate::settings::Settings;
 use indicatif::{ProgressBar, ProgressStyle};
 use pocketry_io::import::{self, BatchLine};
@@ -73,12 +73,18 @@ fn one(line: &BatchLine, id: &str, folder: &Path, args: &PocketArgs, settings: &
     (report, exit)
 }
 
-fn program(line: &BatchLine, folder: &Path, args: &PocketArgs, settings: &Settings, report: &mut JobReport) -> Result<(), Failure> {
+fn program(
+    line: &BatchLine,
+    folder: &Path,
+    args: &PocketArgs,
+    settings: &Settings,
+    report: &mut JobReport,
+) -> Result<(), Failure> {
     let drawing = drawing::parse(&line.text, &args.drawing).map_err(|mut failure| {
         failure.message = format!("{}:{}: {}", args.input.display(), line.line, failure.message);
         failure
     })?;
-    let proven = run::run(&drawing, settings, report)?;
+    let proven = job::run(&drawing, settings, report)?;
     let path: PathBuf = folder.join(file_name(&report.id));
     write_file(&path, &proven.text)?;
     report.program = Some(path.display().to_string());
@@ -87,7 +93,8 @@ fn program(line: &BatchLine, folder: &Path, args: &PocketArgs, settings: &Settin
 
 /// `<id with every character outside [A-Za-z0-9._-] replaced by _>.ngc`
 fn file_name(id: &str) -> String {
-    let clean: String = id.chars().map(|c| if c.is_ascii_alphanumeric() || "._-".contains(c) { c } else { '_' }).collect();
+    let clean: String =
+        id.chars().map(|c| if c.is_ascii_alphanumeric() || "._-".contains(c) { c } else { '_' }).collect();
     format!("{clean}.ngc")
 }
 
@@ -114,10 +121,8 @@ fn progress(count: usize) -> ProgressBar {
 
 fn summarise(done: &[(JobReport, Exit)]) -> Result<(), Failure> {
     let count = |status| done.iter().filter(|(r, _)| r.status == status).count();
-    let troubles: Vec<String> = done
-        .iter()
-        .filter_map(|(r, _)| r.error.as_ref().map(|e| format!("{}: {e}", r.id)))
-        .collect();
+    let troubles: Vec<String> =
+        done.iter().filter_map(|(r, _)| r.error.as_ref().map(|e| format!("{}: {e}", r.id))).collect();
     console::warnings(&troubles);
     let (proven, refused, failed) = (count(Status::Proven), count(Status::Refused), count(Status::Failed));
     print(&format!("{} regions: {proven} proven and written, {refused} refused, {failed} failed\n", done.len()))
@@ -130,7 +135,8 @@ mod tests {
     #[test]
     fn ids_become_distinct_file_names() {
         let line = |line, id: Option<&str>| BatchLine { line, id: id.map(str::to_owned), text: String::new() };
-        let lines = [line(1, Some("a/b")), line(2, None), line(4, Some("a_b")), line(5, Some("a/b")), line(6, Some("é-1.x"))];
+        let lines =
+            [line(1, Some("a/b")), line(2, None), line(4, Some("a_b")), line(5, Some("a/b")), line(6, Some("é-1.x"))];
         assert_eq!(unique_ids(&lines), ["a/b", "region-2", "a_b-4", "a/b-5", "é-1.x"]);
         assert_eq!(file_name("é-1.x /"), "_-1.x__.ngc");
     }

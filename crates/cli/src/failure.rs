@@ -57,7 +57,8 @@ impl Failure {
 
     /// A fault of this program, caught at the last line of defence.
     pub(crate) fn panicked(payload: &(dyn std::any::Any + Send)) -> Self {
-        let said = payload.downcast_ref::<String>().map(String::as_str).or_else(|| payload.downcast_ref::<&str>().copied());
+        let said =
+            payload.downcast_ref::<String>().map(String::as_str).or_else(|| payload.downcast_ref::<&str>().copied());
         let message = format!("internal error, please report it with the drawing: {}", said.unwrap_or("unknown"));
         Self::new(Exit::NotProven, "internal", message)
     }

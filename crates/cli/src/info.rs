@@ -75,7 +75,14 @@ impl Info {
     fn to_text(&self) -> String {
         let mut text = String::new();
         let [x, y] = self.lower_left;
-        let _ = writeln!(text, "size          {} × {} mm, lower left at X{} Y{}", figure(self.width), figure(self.height), figure(x), figure(y));
+        let _ = writeln!(
+            text,
+            "size          {} × {} mm, lower left at X{} Y{}",
+            figure(self.width),
+            figure(self.height),
+            figure(x),
+            figure(y)
+        );
         let _ = writeln!(text, "drawn in      {}", self.units);
         let _ = writeln!(text, "pockets       {}", self.pockets);
         let _ = writeln!(text, "area          {} mm²", figure(self.area));

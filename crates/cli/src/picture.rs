@@ -1,9 +1,9 @@
 //! The picture of a job.
 
 use crate::console::{duration, figure};
-use crate::planning::Planned;
-use crate::run::Proven;
+use crate::job::Proven;
 use crate::skeleton;
+use pocketry_cam::{LinkKind, Plan};
 use pocketry_geom::{Region, Segment};
 use pocketry_io::plot::{Look, Picture, Spot};
 use pocketry_motion::{FeedKind, Move, Program};
@@ -15,34 +15,38 @@ pub(crate) fn of_job(name: &str, region: &Region, job: &Proven, with_skeleton: b
     if with_skeleton {
         picture.add("skeleton", Look::Skeleton, skeleton::paths(&job.skeleton, region));
     }
-    add_loops(&mut picture, &job.planned);
-    picture.add("link", Look::Link, job.planned.links.clone());
-    picture.add("entry", Look::Entry, paths(&job.planned.program, |m| m.feed() == Some(FeedKind::Ramp)));
-    picture.add("rapid", Look::Rapid, paths(&job.planned.program, |m| m.feed().is_none()));
+    add_loops(&mut picture, &job.plan);
+    let links = |wanted: fn(LinkKind) -> bool| {
+        job.plan.links.iter().filter(|l| wanted(l.kind)).map(|l| l.segments.clone()).collect::<Vec<_>>()
+    };
+    picture.add("link", Look::Link, links(|kind| kind != LinkKind::Entry));
+    picture.add("entry", Look::Entry, links(|kind| kind == LinkKind::Entry));
+    picture.add("entry", Look::Entry, paths(&job.plan.program, |m| m.feed() == Some(FeedKind::Ramp)));
+    picture.add("rapid", Look::Rapid, paths(&job.plan.program, |m| m.feed().is_none()));
     let uncut = |s: &pocketry_verify::Spot| Spot { at: s.at, radius: s.radius, name: "left uncut".to_owned() };
     picture.spots.extend(job.proof.uncut_spots.iter().map(uncut));
     picture
 }
 
 fn notes(job: &Proven) -> Vec<String> {
-    let (setup, figures) = (&job.setup, &job.figures);
+    let (setup, figures) = (&job.setup.job, &job.figures);
     vec![format!(
         "tool {} mm, stepover {} mm, depth {} mm in {} passes; {} loops, {:.0} mm of cutting, {} retracts, about {}",
         figure(setup.tool.diameter),
-        figure(setup.stepover),
+        figure(job.plan.stepover),
         figure(setup.stock.depth),
-        job.planned.passes,
-        job.planned.loops.len(),
+        job.plan.passes,
+        job.plan.loops.len(),
         figures.cut_length,
         figures.retracts,
         duration(figures.machine_seconds),
     )]
 }
 
-fn add_loops(picture: &mut Picture, planned: &Planned) {
-    let last = planned.loops.len().saturating_sub(1).max(1) as f64;
-    for (k, path) in planned.loops.iter().enumerate() {
-        picture.add("loop", Look::Loop(k as f64 / last), vec![path.clone()]);
+fn add_loops(picture: &mut Picture, plan: &Plan) {
+    let last = plan.loops.len().saturating_sub(1).max(1) as f64;
+    for (k, cut) in plan.loops.iter().enumerate() {
+        picture.add("loop", Look::Loop(k as f64 / last), vec![cut.segments.clone()]);
     }
 }
 

@@ -3,9 +3,9 @@
 use crate::args::PocketArgs;
 use crate::console::{self, duration, figure};
 use crate::failure::Failure;
+use crate::job::{self, Proven};
 use crate::output::{Outputs, print};
 use crate::report::JobReport;
-use crate::run::{self, Proven};
 use crate::settings::Settings;
 use crate::{drawing, picture};
 use std::path::{Path, PathBuf};
@@ -19,10 +19,11 @@ pub(crate) fn run(args: &PocketArgs) -> Result<(), Failure> {
     let target = args.output.clone().unwrap_or_else(|| args.input.with_extension("ngc"));
     check_targets(args, &target)?;
     let drawing = drawing::read(&args.input, &args.drawing)?;
-    let name = drawing.id.clone().unwrap_or_else(|| args.input.file_name().unwrap_or_default().to_string_lossy().into_owned());
+    let name =
+        drawing.id.clone().unwrap_or_else(|| args.input.file_name().unwrap_or_default().to_string_lossy().into_owned());
     let mut report = JobReport::named(name);
     let settings = Settings::new(args.tool, args.cut.clone(), args.machine.clone());
-    let result = run::run(&drawing, &settings, &mut report);
+    let result = job::run(&drawing, &settings, &mut report);
     console::warnings(&report.warnings);
     let proven = result?;
 
@@ -49,7 +50,10 @@ fn check_targets(args: &PocketArgs, target: &Path) -> Result<(), Failure> {
     let resolved: Vec<PathBuf> = files.iter().map(|f| f.canonicalize().unwrap_or_else(|_| f.to_path_buf())).collect();
     for (k, file) in resolved.iter().enumerate() {
         if resolved[..k].contains(file) {
-            return Err(Failure::arguments(format!("{} is named twice; each file needs a name of its own", file.display())));
+            return Err(Failure::arguments(format!(
+                "{} is named twice; each file needs a name of its own",
+                file.display()
+            )));
         }
     }
     Ok(())
@@ -62,12 +66,12 @@ fn said(target: &Path, proven: &Proven) -> String {
         "{}: {} loops, {} mm of cutting, {} retracts, about {}\n\
          proven: deepest gouge {} mm, everything cut that a {} mm tool can reach; it can't reach {} mm² ({share:.1} %)\n",
         target.display(),
-        proven.planned.loops.len(),
+        proven.plan.loops.len(),
         figure(figures.cut_length),
         figures.retracts,
         duration(figures.machine_seconds),
         figure(proof.gouge_depth()),
-        figure(proven.setup.tool.diameter),
+        figure(proven.setup.job.tool.diameter),
         figure(proof.unreachable_area),
     )
 }

@@ -2,6 +2,7 @@
 
 use crate::failure::{ErrorReport, Failure};
 use crate::settings::Setup;
+use pocketry_cam::Plan;
 use pocketry_motion::Figures;
 use serde::Serialize;
 
@@ -88,17 +89,18 @@ impl JobReport {
     }
 
     pub(crate) fn set_setup(&mut self, setup: &Setup) {
-        self.tool_radius = Some(setup.tool.radius());
-        self.stepover = Some(setup.stepover);
-        self.warnings.extend(setup.warnings.iter().cloned());
+        self.tool_radius = Some(setup.job.tool.radius());
+        self.stepover = Some(setup.job.stepover);
     }
 
-    pub(crate) fn set_figures(&mut self, figures: &Figures, loops: usize, control_vertices: usize) {
+    pub(crate) fn set_plan(&mut self, plan: &Plan, figures: &Figures) {
+        self.stepover = Some(plan.stepover);
+        self.warnings.extend(plan.warnings.iter().map(ToString::to_string));
         self.cut_length = Some(figures.cut_length);
         self.rapid_length = Some(figures.rapid_length);
         self.retracts = Some(figures.retracts);
-        self.loops = Some(loops);
-        self.control_vertices = Some(control_vertices);
+        self.loops = Some(plan.loops.len());
+        self.control_vertices = Some(plan.control_vertices);
     }
 
     pub(crate) fn set_proof(&mut self, proof: &pocketry_verify::Report) {

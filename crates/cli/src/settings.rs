@@ -2,11 +2,9 @@
 
 use crate::args::{CutArgs, MachineArgs, Stepover};
 use crate::failure::Failure;
+use pocketry_cam::PocketJob;
 use pocketry_io::post::OutputUnit;
 use pocketry_motion::{Direction, Feeds, Heights, Stock, Tool};
-
-/// Share of the tool's radius that is the default distance between loops.
-const DEFAULT_STEPOVER: f64 = 0.9;
 
 /// The settings shared by all regions of a run.
 #[derive(Clone, Debug)]
@@ -16,22 +14,11 @@ pub(crate) struct Settings {
     machine: MachineArgs,
 }
 
-/// Everything that has to be known to cut one region.
+/// Everything that has to be known to cut one region and to write its program.
 #[derive(Clone, Debug)]
 pub(crate) struct Setup {
-    pub(crate) tool: Tool,
-    /// Distance between loops, mm, at most the tool's radius.
-    pub(crate) stepover: f64,
-    pub(crate) stock_to_leave: f64,
-    pub(crate) stock: Stock,
-    /// Largest depth of a pass, mm.
-    pub(crate) stepdown: f64,
-    pub(crate) feeds: Feeds,
-    pub(crate) heights: Heights,
-    pub(crate) direction: Direction,
+    pub(crate) job: PocketJob,
     pub(crate) unit: OutputUnit,
-    /// What was changed of what was asked for.
-    pub(crate) warnings: Vec<String>,
 }
 
 impl Settings {
@@ -44,36 +31,29 @@ impl Settings {
         let diameter = self.diameter.or(file_radius.map(|r| 2.0 * r)).ok_or_else(|| {
             Failure::arguments("no tool: give its diameter in mm with --tool (this drawing does not name one)")
         })?;
-        let tool = Tool { diameter, number: self.machine.tool_number };
-        let mut warnings = Vec::new();
-        let stepover = self.stepover(&tool, file_interval, &mut warnings);
-        let stepdown = self.cut.stepdown.unwrap_or(tool.radius());
-        let feeds = self.feeds();
-        Ok(Setup {
-            tool,
-            stepover,
-            stock_to_leave: self.cut.stock_to_leave,
+        let usual = PocketJob::for_diameter(diameter);
+        let stepdown = self.cut.stepdown.unwrap_or(usual.stepdown);
+        let job = PocketJob {
+            tool: Tool { diameter, number: self.machine.tool_number },
             stock: Stock { top: self.cut.top, depth: self.cut.depth.unwrap_or(stepdown) },
+            stepover: self.stepover(diameter, file_interval).unwrap_or(usual.stepover),
+            stock_to_leave: self.cut.stock_to_leave,
             stepdown,
-            feeds,
-            heights: self.heights()?,
             direction: if self.cut.conventional { Direction::Conventional } else { Direction::Climb },
-            unit: if self.machine.inch { OutputUnit::Inch } else { OutputUnit::Millimetre },
-            warnings,
-        })
+            heights: self.heights()?,
+            feeds: self.feeds(),
+            entry: usual.entry,
+        };
+        Ok(Setup { job, unit: if self.machine.inch { OutputUnit::Inch } else { OutputUnit::Millimetre } })
     }
 
-    fn stepover(&self, tool: &Tool, file_interval: Option<f64>, warnings: &mut Vec<String>) -> f64 {
-        let radius = tool.radius();
-        let asked = match self.cut.stepover {
-            Some(Stepover::Length(mm)) => mm,
-            Some(Stepover::OfDiameter(share)) => share * tool.diameter,
-            None => file_interval.unwrap_or(DEFAULT_STEPOVER * radius),
-        };
-        if asked > radius {
-            warnings.push(format!("stepover {asked} mm is above the tool's radius; {radius} mm is used"));
+    /// What was asked for, mm: typed, else in the file.
+    fn stepover(&self, diameter: f64, file_interval: Option<f64>) -> Option<f64> {
+        match self.cut.stepover {
+            Some(Stepover::Length(mm)) => Some(mm),
+            Some(Stepover::OfDiameter(share)) => Some(share * diameter),
+            None => file_interval,
         }
-        asked.min(radius)
     }
 
     fn feeds(&self) -> Feeds {
@@ -114,24 +94,19 @@ mod tests {
 
     #[test]
     fn a_tool_is_a_diameter_and_the_rest_follows() {
-        let s = setup("--tool 6", None, None).unwrap();
-        assert_eq!((s.tool.radius(), s.stepover, s.stock.depth, s.stepdown), (3.0, 2.7, 3.0, 3.0));
-        assert_eq!((s.feeds.ramp, s.feeds.plunge), (300.0, 150.0));
+        let job = setup("--tool 6", None, None).unwrap().job;
+        assert_eq!((job.tool.radius(), job.stock.depth, job.stepdown), (3.0, 3.0, 3.0));
+        assert!((job.stepover - 2.7).abs() < 1e-12);
+        assert_eq!((job.feeds.ramp, job.feeds.plunge), (300.0, 150.0));
         assert!(setup("", None, None).is_err());
     }
 
     #[test]
     fn the_files_own_tool_and_interval_stand_unless_typed() {
-        let s = setup("", Some(2.0), Some(1.5)).unwrap();
-        assert_eq!((s.tool.diameter, s.stepover), (4.0, 1.5));
-        let s = setup("--tool 10 --stepover 20%", Some(2.0), Some(1.5)).unwrap();
-        assert_eq!((s.tool.diameter, s.stepover), (10.0, 2.0));
-    }
-
-    #[test]
-    fn stepovers_above_the_radius_are_clamped_with_a_warning() {
-        let s = setup("--tool 6 --stepover 80%", None, None).unwrap();
-        assert_eq!((s.stepover, s.warnings.len()), (3.0, 1));
+        let job = setup("", Some(2.0), Some(1.5)).unwrap().job;
+        assert_eq!((job.tool.diameter, job.stepover), (4.0, 1.5));
+        let job = setup("--tool 10 --stepover 20%", Some(2.0), Some(1.5)).unwrap().job;
+        assert_eq!((job.tool.diameter, job.stepover), (10.0, 2.0));
     }
 
     #[test]

@@ -42,7 +42,12 @@ pub(crate) fn run(args: &SkeletonArgs) -> Result<(), Failure> {
     let text = match form {
         Form::Svg => {
             let mut picture = Picture::of(region, args.input.display().to_string());
-            picture.notes.push(format!("{} sites, {} vertices, {} edges", skeleton.sites().len(), skeleton.vertices().len(), skeleton.edge_count()));
+            picture.notes.push(format!(
+                "{} sites, {} vertices, {} edges",
+                skeleton.sites().len(),
+                skeleton.vertices().len(),
+                skeleton.edge_count()
+            ));
             picture.add("skeleton", Look::Skeleton, paths(&skeleton, region));
             picture.to_svg()
         }

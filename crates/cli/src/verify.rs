@@ -4,9 +4,9 @@ use crate::args::VerifyArgs;
 use crate::console::{self, figure};
 use crate::drawing;
 use crate::failure::{Exit, Failure};
+use crate::job::places;
 use crate::output::{print, write_file};
 use crate::report::NOT_PROVEN;
-use crate::run::places;
 use pocketry_verify::VerifyOptions;
 use serde::Serialize;
 

@@ -9,11 +9,6 @@ pub mod index;
 pub mod intersect;
 pub mod nesting;
 pub mod offset;
-
-pub mod offset;
-pub mod index;
-pub mod intersect;
-pub mod nesting;
 pub mod point;
 pub mod predicates;
 pub mod ray;

@@ -97,37 +97,9 @@ pub mod skeleton {
     pub const BISECTION: f64 = 1e-18;
 }
 
-/// Offset segments shorter than this are dropped and their ends merged, *relative*: some thousand times the rounding
-/// of coordinates, so that what goes is noise, and a thousandth of what an offset may be off.
-pub const OFFSET_DROP: f64 = 1e-12;
-
-
 /// How far the end of a straight step towards a wall may miss the loop that it leads to, *relative*: what offsets may be
 /// off, ten times over.
 pub const LANDING: f64 = 1e-6;
-
-/// One minus the rate at which clearance grows along an edge, below which the edge runs straight away from its sites
-/// (a spoke, or the bisector at a joint that is smooth but for rounding).
-pub const SPOKE_RATE: f64 = 1e-9;
-
-/// Squared half sum or half difference of two unit gradients below which a Newton step along it says nothing.
-pub const GRADIENT: f64 = 1e-14;
-
-/// A crossing whose clearance is off by more than this is sought again by bisection, *relative*: a hundredth of what
-/// an offset may be off.
-pub const CROSSING: f64 = 1e-9;
-
-/// A tool may enter a channel that is narrower than it by twice this, mm: a twentieth of [`GOUGE`], and more than the
-/// rounding of drawings with four decimals moves a wall.
-pub const FIT_SLACK: f64 = 1e-4;
-
-/// [`FIT_SLACK`] as a share of the offset distance, for tools so small that it would count.
-pub const FIT_SLACK_SHARE: f64 = 1e-4;
-
-/// Ends of degenerate paths shorter than this share of the offset distance are left out: the disk at their root covers
-/// their disks but for slivers thinner than what may stay uncut.
-pub const SPUR_SHARE: f64 = 1e-3;
-
 
 /// Share of the fit tolerance within which a curve counts as straight, or two arcs as one: a line or an arc in its
 /// place then costs nothing that the tolerance would notice.
@@ -200,12 +172,6 @@ pub const PROOF_FLATNESS: f64 = 1e-3;
 
 /// A turn between two curves below this angle opens no sector between their parallels: at a radius of 1 m it would be 1 nm wide.
 pub const SMOOTH_JOINT: f64 = 1e-9;
-
-/// How far the radii at an arc's start and end may differ in a program, mm, or as a part of the radius where that is more.
-pub const ARC_RADII: f64 = 0.005;
-
-/// See [`ARC_RADII`].
-pub const ARC_RADII_RELATIVE: f64 = 1e-4;
 
 /// The control takes an arc of less than this angle for the full turn.
 pub const FULL_TURN: f64 = 1e-6;
