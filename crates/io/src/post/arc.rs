@@ -1,8 +1,8 @@
 //! Arcs in rounded numbers.
 //!
 //! A written arc has a rounded start, end and centre, so its start and end radii differ a little and it no longer runs
-//! exactly where it should. [`fit`] chooses the centre among the nine nearest grid points such that both stay small,
-//! cuts arcs of more than [`LARGEST_SWEEP`] in two, and falls back to chords where an arc would be refused or misread:
+//! exactly where it should. [`fit`] chooses the centre among the grid points about the true one and about the one that suits the
+//! rounded ends, such that both stay small; it cuts arcs of more than [`LARGEST_SWEEP`] in two, and falls back to chords where an arc would be refused or misread:
 //! where it is too small, too flat, or its ends fall on one grid point.
 
 use super::PostError;
@@ -65,15 +65,24 @@ fn fit_single(arc: &Arc, sweep: f64, start: Steps, grid: &Grid) -> Result<Option
     if arc.radius < tolerance::ARC_RADIUS_MIN || sweep < tolerance::ARC_SWEEP_MIN || start == end {
         return Ok(None);
     }
-    let Ok(center) = grid.point_steps(arc.center) else {
-        return Ok(None);
-    };
-    let (error, offset) = (-1..=1)
-        .flat_map(|dx| (-1..=1).map(move |dy| [center[0] + dx, center[1] + dy]))
+    let (error, offset) = [arc.center, center_over_chord(arc, sweep, grid.point(start), grid.point(end))]
+        .into_iter()
+        .filter_map(|center| grid.point_steps(center).ok())
+        .flat_map(|[x, y]| (-1..=1).flat_map(move |dx| (-1..=1).map(move |dy| [x + dx, y + dy])))
         .map(|c| (misfit(arc, start, end, c, grid), [c[0] - start[0], c[1] - start[1]]))
         .min_by(|a, b| a.0.total_cmp(&b.0))
         .unwrap_or((f64::INFINITY, [0, 0]));
     Ok((error < acceptable(grid)).then_some(Piece::Arc { to: end, offset, ccw: arc.ccw }))
+}
+
+/// The centre of the arc's own radius that is equally far from the rounded ends: on short arcs, rounding turns the chord,
+/// and the true centre would no longer fit.
+fn center_over_chord(arc: &Arc, sweep: f64, start: Point, end: Point) -> Point {
+    let chord = end - start;
+    let height = (arc.radius * arc.radius - 0.25 * chord.length_squared()).max(0.0).sqrt();
+    let to_left = arc.ccw == (sweep < PI);
+    let side = if to_left { chord.left() } else { chord.right() };
+    start.midpoint(end) + side.normalized() * height
 }
 
 /// What a fitted arc may be off, mm: rounding leaves less; more means that the rounded numbers describe another arc.
