@@ -12,6 +12,7 @@ pub mod offset;
 pub mod point;
 pub mod predicates;
 pub mod ray;
+pub mod quadrature;
 pub mod region;
 pub mod repair;
 pub mod segment;

@@ -181,3 +181,63 @@ pub const SAME_HEIGHT: f64 = 1e-6;
 
 /// Two curves that turn back on one another within this angle make a cusp, where the sign of the turn tells nothing.
 pub const CUSP: f64 = 1e-6;
+/// How far, *relative*, the skeleton's check lets a clearance lie from the distance to the boundary: offsets inherit
+/// this error, and it is a tenth of what the exact offset engine promises.
+pub const CHECK_CLEARANCE: f64 = 1e-8;
+
+/// Vertices farther off than this, *relative*, are counted by the skeleton's check: what well-conditioned input gives,
+/// with three digits to spare above rounding.
+pub const CHECK_TIGHT: f64 = 1e-11;
+
+/// How far, *relative*, a foot may miss its site's extent or run backwards in the skeleton's check. Clearance feels
+/// only the square of such a slip.
+pub const CHECK_FOOT: f64 = 1e-8;
+
+/// By how much, as a part of it, the areas of the Voronoi cells may miss the region's in the skeleton's check.
+pub const CHECK_AREA: f64 = 1e-9;
+
+/// The skeleton's check takes joints that turn by no more than this for smooth, radians: treating a joint of turn δ
+/// so changes a clearance r by about rδ²/8, which is below 1e-10 r.
+pub const CHECK_SMOOTH_TURN: f64 = 2e-5;
+
+/// Nearer than this, *relative*, to an element's centre of curvature the skeleton's check takes the foot there as
+/// undefined: an error of a rounding unit would turn it by more than 1e-6.
+pub const CHECK_FLOATING: f64 = 1e-9;
+
+/// Relative error of numerical integration: a hundred rounding units.
+pub const QUADRATURE: f64 = 1e-14;
+/// Tolerances of the skeleton's construction, *relative*: it computes in a frame scaled to size 0.5 … 1.
+pub mod skeleton {
+    /// A disk is empty if no site reaches deeper into it than this. Some ten times the rounding of a distance.
+    pub const EMPTY: f64 = 1e-12;
+    /// Residual of a vertex at which no refinement can gain any more: a few units of rounding.
+    pub const EXACT: f64 = 1e-15;
+    /// Residual up to which a closed-form vertex is believed; above it the bracketed search takes over.
+    pub const RESIDUAL: f64 = 3e-13;
+    /// How far outside its element's extent the foot of a vertex may fall: feet are the worst-conditioned
+    /// numbers (an error of the clearance by `e` moves a foot by `sqrt(e)` at nearly tangent contacts).
+    pub const FOOT: f64 = 1e-9;
+    /// The same for vertices in closed form; where their feet are worse, the bracketed search looks again.
+    pub const EXTENT: f64 = 1e-11;
+    /// Contacts nearer to one another than this count as being in order around the disk.
+    pub const ORDER: f64 = 1e-18;
+    /// Newton steps on the three gaps of a vertex.
+    pub const NEWTON_STEPS: usize = 2;
+    /// Turn between two lines, radians, below which their joint is smooth: the clearance on its normal is then off by
+    /// at most an eighth of the square.
+    pub const SMOOTH_LINES: f64 = 1e-5;
+    /// Turn, radians, below which a joint with an arc is smooth.
+    pub const SMOOTH_ARCS: f64 = 1e-9;
+    /// Turn from a cusp of angle 0 or 2π, radians, below which curvature and not direction tells which it is.
+    pub const CUSP: f64 = 1e-9;
+    /// Two disks nearer to one another than this are one vertex of higher degree, verified already.
+    pub const SAME_DISK: f64 = 1e-14;
+    /// Where the growth of a disk from a contact starts, and where it is given up: nothing is larger than the frame.
+    pub const FIRST_PROBE: f64 = 1.0 / 1024.0;
+    /// No disk inside the region is as large as this.
+    pub const LARGEST_DISK: f64 = 2.0;
+    /// Corrections of a guess before the bracketed search takes over; two or three are usual.
+    pub const GUESSES: usize = 200;
+    /// Width, of an interval from 0 to 1, at which a bisection has converged.
+    pub const BISECTION: f64 = 1e-18;
+}

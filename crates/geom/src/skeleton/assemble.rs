@@ -226,8 +226,11 @@ fn apexes(a: &Element, b: &Element, v0: Vertex, v1: Vertex) -> [Option<Vertex>; 
         let radius = b.pencil_radius(foot, n);
         let point = foot + n * radius;
         let extreme = radius < v0.clearance.min(v1.clearance) || radius > v0.clearance.max(v1.clearance);
-        let between = advance(a, v0.point, point) > 0.0 && advance(a, point, v1.point) > 0.0;
-        if radius > tol::EMPTY && radius < tol::LARGEST_DISK && extreme && between {
+        let between = [(a, v0, v1), (b, v1, v0)]
+            .iter()
+            .all(|(e, from, to)| advance(e, from.point, point) > 0.0 && advance(e, point, to.point) > 0.0);
+        let touches = [a, b].iter().all(|e| (e.gap(point) - radius).abs() <= tol::FOOT && e.faces(point, tol::FOOT));
+        if radius > tol::EMPTY && touches && extreme && between {
             found[usize::from(found[0].is_some())] = Some(Vertex { point, clearance: radius });
         }
     }

@@ -265,8 +265,8 @@ fn clamped_foot(e: &Element, center: Point) -> Foot {
 /// Radius of the disk that touches a curve at `foot` with normal `n` and the closed element.
 pub(super) fn closed_pencil_radius(e: &Element, foot: Point, n: Vec2) -> f64 {
     let radius = e.pencil_radius(foot, n);
-    if radius >= 0.0 && radius.is_finite() && e.faces(foot + n * radius, 0.0) {
-        return radius;
+    if radius >= -tol::EMPTY && radius.is_finite() && e.faces(foot + n * radius, tol::EMPTY) {
+        return radius.max(0.0);
     }
     let to_point = |p: Point| {
         let w = p - foot;

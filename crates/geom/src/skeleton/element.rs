@@ -225,9 +225,15 @@ impl Element {
                     return -self.rho;
                 }
             }
-            let d = n - self.n0;
-            let k = self.rho * d.length_squared() - 2.0 * (foot - self.start).dot(n);
-            self.power(foot) / k
+            // powers from the nearer end: nothing cancels where the two curves meet in a corner
+            let (from_start, from_end) = (foot - self.start, foot - self.end);
+            let (from, n_end) = if from_start.length_squared() <= from_end.length_squared() {
+                (from_start, self.n0)
+            } else {
+                (from_end, self.n1)
+            };
+            let k = self.rho * (n - n_end).length_squared() - 2.0 * from.dot(n);
+            from.dot(from + n_end * (2.0 * self.rho)) / k
         }
     }
 

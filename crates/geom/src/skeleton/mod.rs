@@ -1,5 +1,6 @@
 //! The Voronoi skeleton of a region of lines and arcs.
 
+pub mod check;
 mod assemble;
 mod boxes;
 mod build;
