@@ -94,6 +94,13 @@ fn judge(record: &Record, svg: Option<&str>) -> Result<String, Failure> {
     let contours = record.loops.iter().map(|l| Contour::from_vertices(l)).collect();
     let healed = repair::build(contours, &RepairOptions::default()).map_err(|e| ("region", e.to_string()))?;
     let skeleton = Skeleton::build(&healed.region).map_err(|e| ("skeleton", e.to_string()))?;
+    let (walls, size) = (Walls::new(&healed.region), healed.region.bbox().size());
+    for v in skeleton.vertices() {
+        let c = walls.distance(v.point);
+        if (c - v.clearance).abs() > 1e-7 * size {
+            return Err(("wrong skeleton", format!("clearance {} should be {c} at {:?}", v.clearance, v.point)));
+        }
+    }
     let mut job = PocketJob::for_diameter(2.0 * record.tool_radius);
     job.stepover = record.interval;
     let plan = match plan(&healed.region, &skeleton, &job) {

@@ -206,6 +206,9 @@ pub const CHECK_FLOATING: f64 = 1e-9;
 
 /// Relative error of numerical integration: a hundred rounding units.
 pub const QUADRATURE: f64 = 1e-14;
+/// A landing this near to the end of a loop's segment is moved there, *relative*: it would leave a piece shorter than what
+/// offsets may be off, of which an arc could turn round.
+pub const LANDING_SNAP: f64 = 1e-8;
 /// Tolerances of the skeleton's construction, *relative*: it computes in a frame scaled to size 0.5 … 1.
 pub mod skeleton {
     /// A disk is empty if no site reaches deeper into it than this. Some ten times the rounding of a distance.

@@ -7,7 +7,7 @@ use super::levels::{Area, Levels};
 use super::{Cut, Landing, LinkKind};
 use crate::link::{Fans, medial_way, towards};
 use pocketry_geom::skeleton::{EdgeId, SiteId, Skeleton, VertexId};
-use pocketry_geom::tolerance::LANDING;
+use pocketry_geom::tolerance::{LANDING, LANDING_SNAP};
 use pocketry_geom::{BBox, Point, Segment, Vec2};
 use std::collections::{BTreeSet, HashMap};
 
@@ -42,6 +42,8 @@ pub(super) struct Orderer<'a> {
     crossings: HashMap<(usize, EdgeId), (u32, u32)>,
     /// How far a landing may miss a loop, mm.
     miss: f64,
+    /// Nearer than this to an end of a segment, a landing is moved there, mm.
+    snap: f64,
 }
 
 impl<'a> Orderer<'a> {
@@ -56,7 +58,15 @@ impl<'a> Orderer<'a> {
         }
         pieces.sort_unstable();
         let size = skeleton.vertices().iter().fold(BBox::EMPTY, |b, v| b.with(v.point)).size();
-        Self { skeleton, levels, fans: Fans::new(skeleton), pieces, crossings, miss: LANDING * size }
+        Self {
+            skeleton,
+            levels,
+            fans: Fans::new(skeleton),
+            pieces,
+            crossings,
+            miss: LANDING * size,
+            snap: LANDING_SNAP * size,
+        }
     }
 
     /// All chains in the order they are cut.
@@ -144,7 +154,7 @@ impl<'a> Orderer<'a> {
             .take_while(|p| (p.0, p.1) == (level, site))
             .filter(|p| tracks.contains(&p.2))
             .map(|&(_, _, track, segment)| {
-                let point = self.levels.tracks[track as usize].segments[segment as usize].nearest(at);
+                let point = self.levels.tracks[track as usize].place(segment as usize, at, self.snap);
                 Landing { track, segment: segment as usize, point }
             })
             .find(|l| l.point.distance(at) <= self.miss)

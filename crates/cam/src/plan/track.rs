@@ -71,6 +71,14 @@ impl Track {
         None
     }
 
+    /// The place on a segment nearest to `at`; the segment's own end where it lies within `snap` of it.
+    pub(crate) fn place(&self, segment: usize, at: Point, snap: f64) -> Point {
+        let s = &self.segments[segment];
+        let ends = [s.start(), s.end()];
+        let p = s.nearest(at);
+        ends.into_iter().find(|e| e.distance(p) <= snap).unwrap_or(p)
+    }
+
     /// The track as travelled from a landing.
     pub(crate) fn cut_from(&self, landing: Landing) -> Cut {
         if self.segments.is_empty() {
