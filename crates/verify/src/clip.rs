@@ -1,5 +1,6 @@
 //! Which parts of a curve lie farther than a radius from every one of many segments.
 
+use crate::distance;
 use crate::tree::Tree;
 use pocketry_geom::{Arc, Point, Segment, Vec2};
 use std::f64::consts::TAU;
@@ -13,41 +14,18 @@ pub(crate) type Span = (f64, f64);
 /// circles about its ends), and every part between two cuts is judged at its middle.
 pub(crate) fn exposed(curve: &Segment, tree: &Tree, radius: f64) -> Vec<Span> {
     let mut open = vec![(0.0, 1.0)];
-    let mut left = Vec::new();
-    while let Some(span) = open.pop() {
-        let middle = curve.at(0.5 * (span.0 + span.1));
-        let before = open.len();
-        match tree.nearest(middle, radius) {
-            Some((_, id)) => subtract(span, &covered(curve, span, tree.segment(id), radius), &mut open),
-            None => left.push(span),
-        }
-        if open.len() > before && open[before..].contains(&span) {
-            open.truncate(before);
-            left.push(span);
-        }
-    }
-    let mut out = Vec::new();
-    for span in left {
-        clip_by_all(curve, span, tree, radius, &mut out);
-    }
-    out.sort_by(|a, b| a.0.total_cmp(&b.0));
-    out
-}
-
-/// Clips one stretch by every segment near it.
-fn clip_by_all(curve: &Segment, span: Span, tree: &Tree, radius: f64, out: &mut Vec<Span>) {
-    let Some(part) = sub(curve, span) else { return };
-    let mut open = vec![span];
     let mut next = Vec::new();
-    tree.near(&part, radius, |segment, _| {
-        for &span in &open {
-            subtract(span, &covered(curve, span, segment, radius), &mut next);
+    tree.near(curve, radius, |segment| {
+        if distance::between(curve, segment) < radius {
+            for &span in &open {
+                subtract(span, &covered(curve, span, segment, radius), &mut next);
+            }
+            std::mem::swap(&mut open, &mut next);
+            next.clear();
         }
-        std::mem::swap(&mut open, &mut next);
-        next.clear();
         !open.is_empty()
     });
-    out.extend(open);
+    open
 }
 
 /// The stretch of a curve, `None` where it is too short to have two different ends.
@@ -139,7 +117,7 @@ impl<'a> Cuts<'a> {
             Segment::Arc(a) => {
                 let towards = center - a.center;
                 let apart = towards.length();
-                let along = (apart + (a.radius - radius) * (a.radius + radius) / apart) / 2.0;
+                let along = 0.5 * (apart + (a.radius - radius) * (a.radius + radius) / apart);
                 self.directions(a, towards, along / a.radius);
             }
         }

@@ -23,7 +23,10 @@ pub(crate) fn place(a: &Segment, b: &Segment) -> Point {
     crossings(a, b, &mut candidates);
     if let Segment::Arc(arc) = b {
         candidates.push(a.nearest(arc.center));
-        if let Segment::Arc(own) = a {
+    }
+    if let Segment::Arc(own) = a {
+        candidates.push(own.nearest(b.nearest(own.center)));
+        if let Segment::Arc(arc) = b {
             candidates.push(own.center + (own.center - arc.center).normalized() * own.radius);
         }
     }
@@ -35,7 +38,7 @@ pub(crate) fn place(a: &Segment, b: &Segment) -> Point {
 fn own_rounding(a: &Segment) -> f64 {
     let b = a.bbox();
     let largest = [b.min.x, b.min.y, b.max.x, b.max.y].into_iter().fold(0.0, |m: f64, c| m.max(c.abs()));
-    pocketry_geom::tolerance::PROOF_ROUNDING * largest
+    pocketry_geom::tolerance::proof::ROUNDING * largest
 }
 
 /// Adds the points that two segments have in common (overlapping stretches have none).
@@ -117,7 +120,7 @@ fn circle_circle(c: &Arc, d: &Arc) -> [Option<Point>; 2] {
     if apart == 0.0 || apart > c.radius + d.radius || apart < (c.radius - d.radius).abs() {
         return [None; 2];
     }
-    let along = (apart + (c.radius - d.radius) * (c.radius + d.radius) / apart) / 2.0;
+    let along = 0.5 * (apart + (c.radius - d.radius) * (c.radius + d.radius) / apart);
     let across = (c.radius * c.radius - along * along).max(0.0).sqrt();
     let unit = between / apart;
     let middle = c.center + unit * along;

@@ -14,7 +14,7 @@ const CHUNK: usize = 256;
 pub(crate) type Below<'a> = Vec<(&'a Motion, Segment)>;
 
 /// All curves of motions that come below the stock's top.
-pub(crate) fn below<'a>(trace: &'a Trace, top: f64) -> Below<'a> {
+pub(crate) fn below(trace: &Trace, top: f64) -> Below<'_> {
     let low = trace.motions.iter().filter(|m| m.low() < top);
     low.flat_map(|m| trace.curves_of(m).iter().map(move |c| (m, *c))).collect()
 }

@@ -11,6 +11,7 @@
 //!
 //! Nothing is sampled or flattened: what can't be decided within rounding is decided against the program.
 
+mod cells;
 mod clip;
 mod distance;
 pub mod gcode;
@@ -30,7 +31,7 @@ pub use report::{Figures, Gouge, Report, Spot, Violation};
 
 use gcode::{Motion, Trace};
 use limits::Limits;
-use pocketry_geom::tolerance::SAME_HEIGHT;
+use pocketry_geom::tolerance::proof::SAME_HEIGHT;
 use pocketry_geom::{Region, Segment};
 use reach::Centers;
 use uncut::Sweep;

@@ -1,7 +1,8 @@
 //! What a program is judged by.
 
 use crate::gcode::Trace;
-use pocketry_geom::tolerance::{COVER_PER_RADIUS, GOUGE, GOUGE_PER_RADIUS, PROOF_FLATNESS, PROOF_ROUNDING};
+use pocketry_geom::tolerance::GOUGE;
+use pocketry_geom::tolerance::proof::{COVER_PER_RADIUS, FLATNESS, GOUGE_PER_RADIUS, ROUNDING};
 use pocketry_geom::{BBox, Region};
 use serde::Serialize;
 
@@ -72,13 +73,13 @@ pub struct Budget {
 impl Budget {
     pub(crate) fn new(region: &Region, trace: &Trace, options: &VerifyOptions) -> Self {
         let curves = trace.curves.iter().fold(region.bbox(), |b, c| b.union(c.bbox()));
-        let rounding = PROOF_ROUNDING * largest(curves).max(options.tool_radius);
-        let precision = PROOF_ROUNDING * largest(region.bbox());
+        let rounding = ROUNDING * largest(curves).max(options.tool_radius);
+        let precision = ROUNDING * largest(region.bbox());
         let per_radius = GOUGE_PER_RADIUS * options.tool_radius;
         let written = if trace.resolution.is_finite() { trace.resolution } else { 0.0 };
         let gouge = options.gouge_tolerance.unwrap_or_else(|| GOUGE.min(per_radius + written) + precision);
         let cover = options.cover_tolerance.unwrap_or_else(|| gouge.max(COVER_PER_RADIUS * options.tool_radius));
-        Self { gouge, cover, reach: gouge.min(cover), rounding, flat: PROOF_FLATNESS * gouge.min(cover) }
+        Self { gouge, cover, reach: gouge.min(cover), rounding, flat: FLATNESS * gouge.min(cover) }
     }
 }
 

@@ -7,7 +7,7 @@
 
 use crate::clip;
 use crate::tree::Tree;
-use pocketry_geom::tolerance::SMOOTH_JOINT;
+use pocketry_geom::tolerance::proof::SMOOTH_JOINT;
 use pocketry_geom::{Arc, Point, Segment, Vec2};
 use rayon::prelude::*;
 use std::collections::HashMap;
@@ -102,6 +102,23 @@ pub(crate) fn links(pieces: &[Segment], reach: f64) -> Vec<Option<u32>> {
         }
     }
     next
+}
+
+/// Keeps one of several pieces that are the same within `reach` (of a path that is gone over twice both outlines stay).
+pub(crate) fn drop_repeated(pieces: &mut Vec<Segment>, reach: f64) {
+    pieces.sort_by(|a, b| a.at(0.5).x.total_cmp(&b.at(0.5).x));
+    let mut kept: Vec<Segment> = Vec::with_capacity(pieces.len());
+    for piece in pieces.iter() {
+        let same = |other: &&Segment| {
+            let near = |t| piece.at(t).distance(other.at(t)) <= reach;
+            near(0.5) && near(0.0) && near(1.0)
+        };
+        let beside = kept.iter().rev().take_while(|k| piece.at(0.5).x - k.at(0.5).x <= reach);
+        if beside.into_iter().find(same).is_none() {
+            kept.push(*piece);
+        }
+    }
+    *pieces = kept;
 }
 
 /// A closed walk over pieces and its signed area.

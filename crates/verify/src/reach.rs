@@ -8,7 +8,7 @@
 use crate::outline::{self, Side};
 use crate::tree::Tree;
 use crate::walls::Walls;
-use pocketry_geom::tolerance::CUSP;
+use pocketry_geom::tolerance::proof::CUSP;
 use pocketry_geom::{Point, Segment};
 use std::f64::consts::PI;
 
@@ -37,7 +37,7 @@ impl Centers {
 
     /// Whether a point is an admissible centre itself.
     pub(crate) fn contain(&self, walls: &Walls, p: Point) -> bool {
-        walls.tree.nearest(p, self.clearance).is_none() && walls.contain(p)
+        !walls.tree.any_within(p, self.clearance) && walls.contain(p)
     }
 
     /// The outline of all that a disc of this radius about admissible centres covers, to the left of every piece.

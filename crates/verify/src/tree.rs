@@ -9,10 +9,17 @@ const LEAF: usize = 4;
 /// A tree of boxes; a segment is known by its place in the list that the tree was made of.
 pub(crate) struct Tree {
     nodes: Vec<Node>,
-    /// In the order of the leaves, each with its place in the list.
-    items: Vec<(Segment, u32)>,
+    /// In the order of the leaves.
+    items: Vec<Item>,
     /// Where each segment of the list stands in `items`.
     places: Vec<u32>,
+}
+
+/// A segment, its box and its place in the list.
+struct Item {
+    segment: Segment,
+    bbox: BBox,
+    id: u32,
 }
 
 struct Node {
@@ -60,7 +67,7 @@ impl Tree {
             let count = boxed.len();
             split(&mut boxed, 0, count, &mut nodes);
         }
-        let items = boxed.iter().map(|&(_, k)| (segments[k as usize], k)).collect();
+        let items = boxed.iter().map(|&(bbox, id)| Item { segment: segments[id as usize], bbox, id }).collect();
         let mut places = vec![0; segments.len()];
         for (place, &(_, k)) in (0..).zip(&boxed) {
             places[k as usize] = place;
@@ -70,7 +77,7 @@ impl Tree {
 
     /// The segment at a place of the list.
     pub(crate) fn segment(&self, id: u32) -> &Segment {
-        &self.items[self.places[id as usize] as usize].0
+        &self.items[self.places[id as usize] as usize].segment
     }
 
     /// The segment nearest to `p` and its distance, where that is less than `within`.
@@ -79,16 +86,33 @@ impl Tree {
         let mut limit = within;
         self.walk(
             |b| b.distance_squared(p).sqrt(),
-            |limit, segment, id| {
-                let d = segment.distance(p);
+            |limit, item| {
+                let d = item.segment.distance(p);
                 if d < *limit {
                     *limit = d;
-                    best = Some((d, id));
+                    best = Some((d, item.id));
                 }
             },
             &mut limit,
         );
         best
+    }
+
+    /// Whether any segment is nearer to `p` than `radius`.
+    pub(crate) fn any_within(&self, p: Point, radius: f64) -> bool {
+        let mut found = false;
+        let mut limit = radius;
+        self.walk(
+            |b| b.distance_squared(p).sqrt(),
+            |limit, item| {
+                if !found && item.segment.distance(p) < radius {
+                    found = true;
+                    *limit = f64::NEG_INFINITY;
+                }
+            },
+            &mut limit,
+        );
+        found
     }
 
     /// The segment nearest to a curve and its distance, where that is less than `within`.
@@ -98,12 +122,12 @@ impl Tree {
         let mut limit = within;
         self.walk(
             |b| probe.bound(b),
-            |limit, segment, id| {
-                if probe.bound(&segment.bbox()) < *limit {
-                    let d = distance::between(curve, segment);
+            |limit, item| {
+                if probe.bound(&item.bbox) < *limit {
+                    let d = distance::between(curve, &item.segment);
                     if d < *limit {
                         *limit = d;
-                        best = Some((d, id));
+                        best = Some((d, item.id));
                     }
                 }
             },
@@ -113,13 +137,13 @@ impl Tree {
     }
 
     /// Calls `visit` for every segment that may lie within `margin` of a curve, until it says to stop (`false`).
-    pub(crate) fn near(&self, curve: &Segment, margin: f64, mut visit: impl FnMut(&Segment, u32) -> bool) {
+    pub(crate) fn near(&self, curve: &Segment, margin: f64, mut visit: impl FnMut(&Segment) -> bool) {
         let probe = Probe { curve, bbox: curve.bbox() };
         let mut limit = margin;
         self.walk(
             |b| probe.bound(b),
-            |limit, segment, id| {
-                if !visit(segment, id) {
+            |limit, item| {
+                if probe.bound(&item.bbox) < margin && !visit(&item.segment) {
                     *limit = f64::NEG_INFINITY;
                 }
             },
@@ -131,11 +155,11 @@ impl Tree {
     pub(crate) fn on_ray(&self, p: Point, mut visit: impl FnMut(&Segment)) {
         let off = |b: &BBox| if b.min.y <= p.y && p.y <= b.max.y && b.max.x >= p.x { 0.0 } else { f64::INFINITY };
         let mut limit = f64::MAX;
-        self.walk(off, |_, segment, _| visit(segment), &mut limit);
+        self.walk(off, |_, item| visit(&item.segment), &mut limit);
     }
 
     /// Visits items whose nodes are bounded below the limit, near children first; `visit` may lower the limit.
-    fn walk(&self, bound: impl Fn(&BBox) -> f64, mut visit: impl FnMut(&mut f64, &Segment, u32), limit: &mut f64) {
+    fn walk(&self, bound: impl Fn(&BBox) -> f64, mut visit: impl FnMut(&mut f64, &Item), limit: &mut f64) {
         let mut stack = [(0u32, 0.0f64); 64];
         let mut height = 0;
         if let Some(root) = self.nodes.first() {
@@ -151,8 +175,8 @@ impl Tree {
             let node = &self.nodes[index as usize];
             if node.count > 0 {
                 let (first, count) = (node.first as usize, node.count as usize);
-                for (segment, id) in &self.items[first..first + count] {
-                    visit(limit, segment, *id);
+                for item in &self.items[first..first + count] {
+                    visit(limit, item);
                 }
                 continue;
             }

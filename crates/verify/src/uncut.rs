@@ -12,6 +12,7 @@
 //! lines and circles. Each cut is made a rounding too small, so that a part of an outline may be listed twice but is
 //! never lost, and nothing is flattened or sampled. Where the proof fails, the same pieces bound what was left.
 
+use crate::cells::Cells;
 use crate::outline::{self, Side};
 use crate::reach::{Centers, Opening};
 use crate::report::Spot;
@@ -24,9 +25,11 @@ use std::f64::consts::PI;
 /// The final moves and the radius of what counts as swept.
 pub(crate) struct Sweep {
     tree: Tree,
+    cells: Cells,
     radius: f64,
-    /// The outline; what is swept lies to the right of every piece.
-    outline: Vec<Segment>,
+    rounding: f64,
+    /// Curves that hold the outline; what is swept lies to the right of each.
+    curves: Vec<Segment>,
 }
 
 impl Sweep {
@@ -38,8 +41,7 @@ impl Sweep {
         for run in path.chunk_by(|a, b| a.end() == b.start()) {
             sides(run, radius, &mut curves);
         }
-        let outline = outline::exposed(&curves, &tree, radius - rounding);
-        Self { tree, radius, outline }
+        Self { tree, cells: Cells::new(path, radius - 2.0 * rounding), radius, rounding, curves }
     }
 
     /// How far beyond the swept zone a point lies; 0 inside.
@@ -49,18 +51,29 @@ impl Sweep {
 
     /// Whether everything that the centres' discs cover is swept.
     pub(crate) fn covers(&self, centers: &Centers, walls: &Walls, radius: f64) -> bool {
+        let met = |piece: &Segment| {
+            let p = piece.at(0.5);
+            self.cells.hold_point(p) || self.tree.any_within(p, self.radius)
+        };
         let clear = |piece: &Segment| {
             centers.tree.nearest_to_curve(piece, radius).is_none() && !centers.contain(walls, piece.at(0.5))
         };
-        let met = |piece: &Segment| self.tree.nearest(piece.at(0.5), self.radius).is_some();
-        centers.pieces.par_iter().with_min_len(64).all(met) && self.outline.par_iter().with_min_len(16).all(clear)
+        // Most curves are known to be swept over, or are clear as a whole; the others are clipped first.
+        let holds =
+            |curve: &Segment| self.cells.hold_curve(curve) || clear(curve) || self.exposed(curve).iter().all(clear);
+        centers.pieces.par_iter().with_min_len(64).all(met) && self.curves.par_iter().with_min_len(64).all(holds)
+    }
+
+    /// The parts of a curve that belong to the outline.
+    fn exposed(&self, curve: &Segment) -> Vec<Segment> {
+        outline::exposed(std::slice::from_ref(curve), &self.tree, self.radius - self.rounding)
     }
 
     /// The places of the opening that were not swept.
     pub(crate) fn left_over(&self, centers: &Centers, walls: &Walls, radius: f64, opening: &Opening) -> Vec<Spot> {
         let far = outline::exposed(&opening.pieces, &self.tree, self.radius);
         let mut pieces: Vec<Segment> = far;
-        for piece in &self.outline {
+        for piece in &outline::exposed(&self.curves, &self.tree, self.radius - self.rounding) {
             let away = crate::clip::exposed(piece, &centers.tree, radius);
             let deep = |span: &(f64, f64)| !centers.contain(walls, piece.at(0.5 * (span.0 + span.1)));
             let mut from = 0.0;
@@ -69,7 +82,9 @@ impl Sweep {
                 from = span.1;
             }
         }
-        let next = outline::links(&pieces, centers.link_reach(radius));
+        let reach = centers.link_reach(radius);
+        outline::drop_repeated(&mut pieces, reach);
+        let next = outline::links(&pieces, reach);
         let loops = outline::loops(&pieces, &next);
         let mut spots: Vec<Spot> = loops.iter().map(|l| self.spot(&pieces, l)).collect();
         spots.sort_by(|a, b| b.area.total_cmp(&a.area));
@@ -93,14 +108,17 @@ fn sides(run: &[Segment], radius: f64, out: &mut Vec<Segment>) {
     let (Some(first), Some(last)) = (moving.first(), moving.last()) else {
         return out.extend(outline::circle(run[0].start(), radius));
     };
+    let closed = first.start() == last.end();
     for (k, curve) in moving.iter().enumerate() {
         out.extend(outline::parallel(curve, radius, Side::Left));
         out.extend(outline::parallel(curve, radius, Side::Right).map(|c| c.reversed()));
-        if let Some(next) = moving.get(k + 1) {
+        if let Some(next) = moving.get(k + 1).or(closed.then_some(first)) {
             out.extend(outline::sector(curve, next, radius, Side::Left));
             out.extend(outline::sector(curve, next, radius, Side::Right).map(|c| c.reversed()));
         }
     }
-    out.push(outline::cap(last.end(), last.end_tangent(), radius));
-    out.push(outline::cap(first.start(), -first.start_tangent(), radius));
+    if !closed {
+        out.push(outline::cap(last.end(), last.end_tangent(), radius));
+        out.push(outline::cap(first.start(), -first.start_tangent(), radius));
+    }
 }

@@ -29,7 +29,9 @@ impl Walls {
             next.extend((first..end).map(|k| if k + 1 == end { first } else { k + 1 }));
         }
         let mut monotone = Vec::with_capacity(segments.len());
-        segments.iter().for_each(|s| push_monotone(s, &mut monotone));
+        for segment in &segments {
+            push_monotone(segment, &mut monotone);
+        }
         Self { tree: Tree::new(&segments), monotone: Tree::new(&monotone), segments, next }
     }
 
@@ -48,7 +50,7 @@ impl Walls {
     /// Length of the parts of a curve outside the region.
     pub(crate) fn length_outside(&self, curve: &Segment) -> f64 {
         let mut cuts = vec![curve.start()];
-        self.tree.near(curve, f64::MIN_POSITIVE, |wall, _| {
+        self.tree.near(curve, f64::MIN_POSITIVE, |wall| {
             distance::crossings(curve, wall, &mut cuts);
             true
         });

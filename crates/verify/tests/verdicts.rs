@@ -72,11 +72,13 @@ fn a_gouge_into_a_boss_names_line_and_place() {
 
 #[test]
 fn a_missing_loop_leaves_the_area_between_its_neighbours() {
-    // Loops at 3 and 9.9: what lies between clearance 6 and 6.9 stays, less where the corners of the outer loop reach.
+    // Loops at 3 and 9.9 leave what lies between the outer loop's inner edge, 28 × 8, and the inner one's outer edge.
     let report = judge(&rectangle(40.0, 20.0), &program(&rectangular_loops(40.0, 20.0, &[3.0, 9.9])));
     refused(&report, "left uncut");
-    let (outer, inner) = (28.0 * 8.0, 26.2 * 6.2 - 4.0 * 0.0);
-    assert!((report.uncut_area - (outer - inner)).abs() < 0.03 * (outer - inner), "{}", report.uncut_area);
+    let (c, r) = (report.budget.cover, R + report.budget.cover);
+    let inner = 20.2 * 0.2 + 2.0 * 20.4 * r + std::f64::consts::PI * r * r;
+    let expected = (28.0 - 2.0 * c) * (8.0 - 2.0 * c) - inner;
+    assert!((report.uncut_area - expected).abs() < 1e-3, "{} {expected}", report.uncut_area);
 }
 
 #[test]

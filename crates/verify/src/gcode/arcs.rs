@@ -7,7 +7,7 @@
 //! largest for φ = π: 0.1053 times the difference).
 
 use super::ProgramError;
-use pocketry_geom::tolerance::{ARC_RADII, ARC_RADII_RELATIVE, FULL_TURN};
+use pocketry_geom::tolerance::proof::{ARC_RADII, ARC_RADII_RELATIVE, FULL_TURN};
 use pocketry_geom::{Arc, Point, Segment, Vec2};
 use std::f64::consts::{PI, TAU};
 

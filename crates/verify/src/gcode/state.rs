@@ -302,7 +302,7 @@ impl State {
                 *slot = Some(base + value);
                 if letter != 'Z' {
                     let decimals = block.word(letter).map_or(0, |w| w.decimals);
-                    trace.resolution = trace.resolution.min(self.unit * 0.1f64.powi(decimals as i32));
+                    trace.resolution = trace.resolution.min(self.unit * 0.1f64.powf(f64::from(decimals)));
                 }
             }
         }
