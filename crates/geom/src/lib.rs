@@ -4,6 +4,7 @@
 
 mod around;
 pub mod bbox;
+pub mod chain;
 pub mod contour;
 pub mod index;
 pub mod intersect;

@@ -92,24 +92,6 @@ impl Curve {
         }
     }
 
-    /// Where it begins.
-    pub(crate) fn start(&self) -> Point {
-        match self {
-            Self::Line(start, _) => *start,
-            Self::Elliptic(e) => e.start,
-            Self::Free(chain) => chain.first().map_or(Point::ORIGIN, Bezier::start),
-        }
-    }
-
-    /// Where it ends.
-    pub(crate) fn end(&self) -> Point {
-        match self {
-            Self::Line(_, end) => *end,
-            Self::Elliptic(e) => e.end,
-            Self::Free(chain) => chain.last().map_or(Point::ORIGIN, Bezier::end),
-        }
-    }
-
     /// The image under an affine map.
     pub(crate) fn transformed(&self, map: &Affine) -> Self {
         match self {

@@ -50,7 +50,7 @@ impl fmt::Display for Place {
             parts.push(entity.clone());
         }
         if let Some(p) = self.at {
-            parts.push(format!("at ({:.6}, {:.6})", p.x, p.y));
+            parts.push(format!("at ({:.4}, {:.4})", p.x, p.y));
         }
         if parts.is_empty() { f.write_str("drawing") } else { f.write_str(&parts.join(", ")) }
     }

@@ -155,20 +155,12 @@ fn biarc_of(stretch: &[Bezier], first: &Bezier, last: &Bezier, tolerance: f64) -
         let error = stretch.iter().try_fold(0.0, |worst: f64, b| Some(worst.max(deviation(b, &one, tolerance, 3)?)))?;
         return Some(Fitted { segments: vec![one], error });
     }
-    let (head, tail) = cut(stretch, joint, (t_at(&before) + t_at_start(&after)).normalized());
+    let (head, tail) = cut(stretch, joint, (before.end_tangent() + after.start_tangent()).normalized());
     let worst = |part: &[Bezier], segment: &Segment| {
         part.iter().try_fold(0.0, |worst: f64, b| Some(worst.max(deviation(b, segment, tolerance, 3)?)))
     };
     let error = worst(&head, &before)?.max(worst(&tail, &after)?);
     Some(Fitted { segments: vec![before, after], error })
-}
-
-fn t_at(segment: &Segment) -> Vec2 {
-    segment.end_tangent()
-}
-
-fn t_at_start(segment: &Segment) -> Vec2 {
-    segment.start_tangent()
 }
 
 /// The straight chord of a stretch, its error bounded by the control points' hull.
@@ -322,4 +314,131 @@ pub(crate) fn ellipse(center: Point, u: Vec2, v: Vec2, from: f64, sweep: f64) ->
         angles.reverse();
     }
     angles.windows(2).map(|w| Bezier::elliptic(center, major, minor, w[0], w[1])).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::import::nurbs::Spline;
+    use pocketry_geom::{Contour, point, vec2};
+    use proptest::prelude::*;
+    use std::f64::consts::TAU;
+
+    /// Checks the promise of [`fit`] by samples on both sides; returns the chain.
+    fn checked(chain: &[Bezier], tolerance: f64) -> Vec<Segment> {
+        let fitted = fit(chain, tolerance);
+        assert!(fitted.error <= tolerance, "{} > {tolerance}", fitted.error);
+        let segments = fitted.segments;
+        assert_eq!(segments[0].start(), chain[0].start());
+        assert_eq!(segments[segments.len() - 1].end(), chain[chain.len() - 1].end());
+        assert!(segments.windows(2).all(|w| w[0].end() == w[1].start()));
+        let samples: Vec<Point> = chain.iter().flat_map(|b| (0..=400).map(|k| b.at(f64::from(k) / 400.0))).collect();
+        let slack = 1e-9;
+        for &p in &samples {
+            let off = segments.iter().map(|s| s.distance(p)).fold(f64::INFINITY, f64::min);
+            assert!(off <= tolerance + slack, "the curve is {off} away at {p:?}");
+        }
+        let step = samples.windows(2).map(|w| w[0].distance(w[1])).fold(0.0, f64::max);
+        for p in segments.iter().flat_map(|s| (0..=20).map(|k| s.at(f64::from(k) / 20.0))) {
+            let off = samples.iter().map(|q| q.distance(p)).fold(f64::INFINITY, f64::min);
+            assert!(off <= tolerance + step, "the chain is {off} away at {p:?}");
+        }
+        segments
+    }
+
+    fn largest_kink(segments: &[Segment]) -> f64 {
+        let kink = |w: &[Segment]| w[0].end_tangent().angle_to(w[1].start_tangent()).abs();
+        segments.windows(2).map(kink).fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn an_ellipse_takes_few_arcs_that_join_smoothly() {
+        let quarters = ellipse(point(3.0, -2.0), vec2(0.0, 40.0), vec2(-20.0, 0.0), 0.3, TAU);
+        let mut all = Vec::new();
+        for quarter in &quarters {
+            all.extend(checked(std::slice::from_ref(quarter), 1e-3));
+        }
+        assert!(all.len() <= 60, "{} arcs", all.len());
+        assert!(largest_kink(&all) < 1e-5, "{}", largest_kink(&all));
+        assert!((Contour::new(all).area() - 800.0 * TAU / 2.0).abs() < 0.1);
+    }
+
+    #[test]
+    fn a_circle_written_as_a_rational_spline_becomes_its_own_arcs() {
+        let half = 0.5_f64.sqrt();
+        let (points, weights): (Vec<Point>, Vec<f64>) = [
+            (5.0, 0.0, 1.0),
+            (5.0, 5.0, half),
+            (0.0, 5.0, 1.0),
+            (-5.0, 5.0, half),
+            (-5.0, 0.0, 1.0),
+            (-5.0, -5.0, half),
+            (0.0, -5.0, 1.0),
+            (5.0, -5.0, half),
+            (5.0, 0.0, 1.0),
+        ]
+        .iter()
+        .map(|&(x, y, w)| (point(x, y), w))
+        .unzip();
+        let knots = [0.0, 0.0, 0.0, 1.0, 1.0, 2.0, 2.0, 3.0, 3.0, 4.0, 4.0, 4.0].to_vec();
+        let chain = Spline { degree: 2, knots, points, weights }.to_beziers().unwrap();
+        let segments = checked(&chain, 1e-3);
+        assert!(segments.len() <= 4, "{} arcs", segments.len());
+        for segment in &segments {
+            let Segment::Arc(arc) = segment else { panic!("{segment:?} is no arc") };
+            assert!((arc.radius - 5.0).abs() < 1e-9 && arc.center.distance(Point::ORIGIN) < 1e-9);
+        }
+    }
+
+    #[test]
+    fn a_straight_curve_is_one_line() {
+        let curve = Bezier::polynomial(&[point(0.0, 0.0), point(1.0, 2.0), point(2.0, 4.0), point(5.0, 10.0)]);
+        assert_eq!(fit(&[curve], 1e-3).segments, [Segment::line(point(0.0, 0.0), point(5.0, 10.0))]);
+    }
+
+    #[test]
+    fn cusps_loops_and_points_are_survived() {
+        let cusp = [point(0.0, 0.0), point(100.0, 60.0), point(0.0, 60.0), point(100.0, 0.0)];
+        checked(&[Bezier::polynomial(&cusp)], 1e-3);
+        let there_and_back = [point(0.0, 0.0), point(10.0, 0.0), point(10.0, 0.0), point(0.0, 0.0)];
+        checked(&[Bezier::polynomial(&there_and_back)], 1e-3);
+        let spot = [point(1.0, 1.0); 4];
+        assert!(fit(&[Bezier::polynomial(&spot)], 1e-3).segments.is_empty());
+        assert!(fit(&[], 1e-3).segments.is_empty());
+    }
+
+    #[test]
+    fn corners_stay_corners() {
+        let up = Bezier::polynomial(&[point(0.0, 0.0), point(1.0, 4.0), point(5.0, 5.0)]);
+        let down = Bezier::polynomial(&[point(5.0, 5.0), point(5.0, 1.0), point(9.0, 0.0)]);
+        let segments = checked(&[up, down], 1e-3);
+        assert!(segments.iter().any(|s| s.end() == point(5.0, 5.0)));
+    }
+
+    #[test]
+    fn the_place_of_a_curve_does_not_matter() {
+        let points = [point(0.0, 0.0), point(30.0, 40.0), point(60.0, -40.0), point(90.0, 10.0)];
+        let near = fit(&[Bezier::polynomial(&points)], 1e-3).segments.len();
+        let far = points.map(|p| p + vec2(1e7, -1e7));
+        assert_eq!(fit(&[Bezier::polynomial(&far)], 1e-3).segments.len(), near);
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(64))]
+
+        #[test]
+        fn any_cubic_is_met_within_tolerance(c in prop::array::uniform8(-50.0..50.0_f64), fine in 0..3_i32) {
+            let points = [point(c[0], c[1]), point(c[2], c[3]), point(c[4], c[5]), point(c[6], c[7])];
+            checked(&[Bezier::polynomial(&points)], 0.1 * 0.1_f64.powi(fine));
+        }
+
+        #[test]
+        fn any_ellipse_arc_is_met_within_tolerance(
+            a in 0.5..50.0_f64, b in 0.5..50.0_f64, skew in -1.0..1.0_f64, from in -7.0..7.0_f64, sweep in 0.05..6.28_f64,
+        ) {
+            for piece in ellipse(point(1.0, 2.0), vec2(a, skew), vec2(-skew, b), from, sweep) {
+                checked(&[piece], 1e-3);
+            }
+        }
+    }
 }

@@ -113,33 +113,36 @@ pub struct Drawing {
 /// # Errors
 /// [`ImportError::Io`] where the file can't be read, [`ImportError::Bad`] where it can and is no drawing of a pocket.
 pub fn read(path: &Path, options: &ImportOptions) -> Result<Drawing, ImportError> {
-    let bytes = read_bytes(path)?;
-    read_as(path, &bytes, options).map_err(|error| error.in_file(path)).map(|mut drawing| {
-        for warning in &mut drawing.warnings {
-            warning.place.file.get_or_insert_with(|| path.to_owned());
-        }
-        drawing
-    })
+    parse(path, &read_bytes(path)?, options)
 }
 
-fn read_as(path: &Path, bytes: &[u8], options: &ImportOptions) -> Result<Drawing, ImportError> {
+/// The drawing in a file's bytes; the name serves for its extension and for messages.
+///
+/// # Errors
+/// [`ImportError::Bad`] where the bytes are no drawing of a pocket.
+pub fn parse(name: &Path, bytes: &[u8], options: &ImportOptions) -> Result<Drawing, ImportError> {
+    let mut drawing = parse_kind(name, bytes, options).map_err(|error| error.in_file(name))?;
+    for warning in &mut drawing.warnings {
+        warning.place.file.get_or_insert_with(|| name.to_owned());
+    }
+    Ok(drawing)
+}
+
+fn parse_kind(name: &Path, bytes: &[u8], options: &ImportOptions) -> Result<Drawing, ImportError> {
     options.check()?;
-    let extension = path.extension().and_then(|e| e.to_str()).unwrap_or_default().to_ascii_lowercase();
-    match extension.as_str() {
-        "dxf" => assemble::assemble(dxf::read(bytes, options)?, options),
-        "svg" => assemble::assemble(svg::read(bytes, options)?, options),
-        "json" => json::parse(bytes, options),
-        _ => match bytes.trim_ascii_start().first() {
-            Some(b'<') => assemble::assemble(svg::read(bytes, options)?, options),
-            Some(b'{' | b'[') => json::parse(bytes, options),
-            Some(b'0' | b'9') => assemble::assemble(dxf::read(bytes, options)?, options),
-            _ => Err(ImportError::new(
-                FaultKind::Format,
-                Place::default(),
-                "not a drawing of a known kind",
-                "give a .dxf, .svg or .json file",
-            )),
-        },
+    let extension = name.extension().and_then(|e| e.to_str()).unwrap_or_default().to_ascii_lowercase();
+    match (extension.as_str(), bytes.trim_ascii_start().first()) {
+        ("dxf", _) => assemble::assemble(dxf::read(bytes, options)?, options),
+        ("svg", _) => assemble::assemble(svg::read(bytes, options)?, options),
+        ("json", _) => json::parse(bytes, options),
+        (_, Some(b'<')) => assemble::assemble(svg::read(bytes, options)?, options),
+        (_, Some(b'{' | b'[')) => json::parse(bytes, options),
+        (_, Some(b'0' | b'9')) => assemble::assemble(dxf::read(bytes, options)?, options),
+        _ => {
+            let hint = "give a .dxf, .svg or .json file";
+            let problem = "not a drawing of a known kind";
+            Err(ImportError::new(FaultKind::Format, Place::default(), problem, hint))
+        }
     }
 }
 

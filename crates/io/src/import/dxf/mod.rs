@@ -214,7 +214,7 @@ fn entities<'a>(
 
 /// One entity's groups; `at` moves on to the next entity's type.
 fn raw_entity<'a>(groups: &mut Groups<'a>, at: &mut Group<'a>, section: &str) -> Result<Raw<'a>, ImportError> {
-    let named = at.value.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_' || c == '*');
+    let named = at.value.contains(|c: char| c.is_ascii_alphabetic());
     if at.code != 0 || !named {
         let problem = format!("{:?} (group {}) stands where an entity's type is due", at.value, at.code);
         return Err(syntax(at.line, &problem, "a line is missing or added above; save the drawing again"));
