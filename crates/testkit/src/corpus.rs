@@ -62,9 +62,8 @@ pub fn region(loops: &Loops) -> Result<Region, String> {
     let mut around: Vec<Vec<usize>> = Vec::new();
     for (k, c) in contours.iter().enumerate() {
         let p = c.segments[0].at(0.37);
-        around.push(
-            (0..contours.len()).filter(|&j| j != k && boxes[j].contains(p) && inside(p, &contours[j])).collect(),
-        );
+        around
+            .push((0..contours.len()).filter(|&j| j != k && boxes[j].contains(p) && inside(p, &contours[j])).collect());
     }
     let oriented = contours
         .iter()

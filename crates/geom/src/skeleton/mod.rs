@@ -1,9 +1,9 @@
 //! The Voronoi skeleton of a region of lines and arcs.
 
-pub mod check;
 mod assemble;
 mod boxes;
 mod build;
+pub mod check;
 mod cycle;
 mod element;
 #[cfg(test)]

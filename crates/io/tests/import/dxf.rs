@@ -13,7 +13,8 @@ fn pairs(text: &str) -> String {
 fn file(header: &str, tables: &str, blocks: &str, entities: &str) -> String {
     let section = |name: &str, body: &str| format!("0\nSECTION\n2\n{name}\n{body}0\nENDSEC\n");
     let part = |body: &str| if body.is_empty() { String::new() } else { pairs(body) };
-    let tables = if tables.is_empty() { String::new() } else { format!("0\nTABLE\n2\nLAYER\n{}0\nENDTAB\n", pairs(tables)) };
+    let tables =
+        if tables.is_empty() { String::new() } else { format!("0\nTABLE\n2\nLAYER\n{}0\nENDTAB\n", pairs(tables)) };
     [
         section("HEADER", &part(header)),
         section("TABLES", &tables),
@@ -72,9 +73,8 @@ fn a_circle_is_two_exact_arcs() {
 fn bulges_of_both_kinds_of_polyline_are_arcs() {
     let light = read("0,LWPOLYLINE,8,0,90,2,70,1,10,0,20,0,42,1,10,4,20,0,42,1");
     assert_area(&light, 4.0 * PI, 1e-12);
-    let heavy = read(
-        "0,POLYLINE,8,0,66,1,70,1, 0,VERTEX,8,0,10,0,20,0,42,1, 0,VERTEX,8,0,10,4,20,0,42,1, 0,SEQEND,8,0",
-    );
+    let heavy =
+        read("0,POLYLINE,8,0,66,1,70,1, 0,VERTEX,8,0,10,0,20,0,42,1, 0,VERTEX,8,0,10,4,20,0,42,1, 0,SEQEND,8,0");
     assert_eq!(heavy.region, light.region);
 }
 
@@ -173,8 +173,7 @@ fn entities_that_face_down_are_mirrored() {
 fn hidden_layers_and_paper_space_are_left_out() {
     let layers = "0,LAYER,2,OFF,70,0,62,-7,0,LAYER,2,ICE,70,1,62,7";
     let circle = |layer: &str, more: &str| format!("0,CIRCLE,8,{layer},10,0,20,0,40,5{more}");
-    let entities =
-        [SQUARE.to_owned(), circle("off", ""), circle("ICE", ""), circle("0", ",67,1")].join(",");
+    let entities = [SQUARE.to_owned(), circle("off", ""), circle("ICE", ""), circle("0", ",67,1")].join(",");
     let drawing = parse(&file(MM, layers, "", &entities), &ImportOptions::default()).unwrap();
     assert_area(&drawing, 100.0, 1e-12);
 }

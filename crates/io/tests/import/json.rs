@@ -11,7 +11,8 @@ fn parse(text: &str) -> Result<import::Drawing, import::ImportError> {
 
 #[test]
 fn fields_are_read_and_converted() {
-    let text = format!(r#"{{"id": "a", "units": "in", "tool_radius": 1, "interval": 0.5, "note": [], "loops": [{SQUARE}]}}"#);
+    let text =
+        format!(r#"{{"id": "a", "units": "in", "tool_radius": 1, "interval": 0.5, "note": [], "loops": [{SQUARE}]}}"#);
     let drawing = parse(&text).unwrap();
     assert_eq!(drawing.id.as_deref(), Some("a"));
     assert_eq!((drawing.tool_radius, drawing.interval), (Some(25.4), Some(12.7)));
@@ -30,7 +31,9 @@ fn loops_fill_even_odd_whatever_their_direction() {
 
 #[test]
 fn bad_values_are_refused() {
-    for field in ["\"tool_radius\": 0", "\"tool_radius\": -1", "\"interval\": 0", "\"interval\": 1e-9", "\"units\": \"ell\""] {
+    for field in
+        ["\"tool_radius\": 0", "\"tool_radius\": -1", "\"interval\": 0", "\"interval\": 1e-9", "\"units\": \"ell\""]
+    {
         let error = parse(&format!(r#"{{{field}, "loops": [{SQUARE}]}}"#)).unwrap_err();
         assert!(!error.is_io(), "{field}");
     }

@@ -102,7 +102,11 @@ fn uses_and_symbols_and_inner_viewports() {
     let defs = "<defs><rect id='r' width='5' height='5'/></defs>";
     let bbox = read(&format!("{defs}<use href='#r' x='10' y='20'/>")).region.bbox();
     assert!(bbox.min.distance(point(10.0, 75.0)) < 1e-9, "{bbox:?}");
-    assert_near(area(&format!("{defs}<use xlink:href='#r'/><use href='#r' x='20' transform='scale(2)'/>")), 125.0, 1e-9);
+    assert_near(
+        area(&format!("{defs}<use xlink:href='#r'/><use href='#r' x='20' transform='scale(2)'/>")),
+        125.0,
+        1e-9,
+    );
     let symbol = "<symbol id='s' viewBox='0 0 1 1'><rect width='1' height='1'/></symbol>";
     assert_near(area(&format!("{symbol}<use href='#s' width='7' height='7'/>")), 49.0, 1e-9);
     let inner = "<svg x='5' y='5' width='50' height='50' viewBox='0 0 10 10'><rect width='2' height='2'/></svg>";
