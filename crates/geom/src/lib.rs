@@ -4,7 +4,6 @@
 
 mod around;
 pub mod bbox;
-pub mod chain;
 pub mod contour;
 pub mod distance;
 pub mod index;
@@ -15,6 +14,7 @@ pub mod point;
 pub mod predicates;
 pub mod quadrature;
 pub mod ray;
+pub mod quadrature;
 pub mod region;
 pub mod repair;
 pub mod segment;
