@@ -311,7 +311,8 @@ fn write_loops(folder: &Path, id: &str, loops: &Loops) {
 }
 
 fn write(folder: &Path, id: &str, extension: &str, text: &str) {
-    let name: String = id.chars().map(|c| if c.is_ascii_alphanumeric() || "._-".contains(c) { c } else { '_' }).collect();
+    let name: String =
+        id.chars().map(|c| if c.is_ascii_alphanumeric() || "._-".contains(c) { c } else { '_' }).collect();
     let path = folder.join(format!("{name}.{extension}"));
     if let Err(error) = std::fs::create_dir_all(folder).and_then(|()| std::fs::write(&path, text)) {
         eprintln!("{}: {error}", path.display());
