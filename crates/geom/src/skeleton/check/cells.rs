@@ -54,8 +54,9 @@ impl Judge<'_> {
         let size = self.size();
         let slack = element.foot_slack(x, size).max(element.foot_slack(other, size));
         let back = (before - after) / slack;
+        let r = self.skeleton.origin_clearance(e).max(self.skeleton.target_clearance(e));
         self.report.worst_backwards = self.report.worst_backwards.max(back);
-        if back > self.options.foot {
+        if back > self.options.foot && self.is_felt(back, r) {
             self.fault(FaultKind::FeetBackwards, Part::Edge(e), x, back);
         }
     }
@@ -69,8 +70,8 @@ impl Judge<'_> {
             let (u, v) = (s.origin_clearance(e), s.target_clearance(e));
             [u.min(v), u.max(v)]
         };
-        if element.length_of(to - from, high) <= tolerance::CHECK_FOOT * self.size() {
-            return flat_area(element, 0.5 * (low + high), to - from);
+        if from == to {
+            return 0.0;
         }
         let slack = self.options.clearance * self.size();
         quadrature::integrate(from, to, tolerance::QUADRATURE, |p| {

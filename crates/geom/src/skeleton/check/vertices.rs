@@ -56,7 +56,7 @@ impl Judge<'_> {
         let beyond = (-foot - before).max(foot - element.extent() - after);
         let excess = beyond / element.foot_slack(x, size);
         self.report.worst_outside = self.report.worst_outside.max(excess);
-        if excess > self.options.foot {
+        if excess > self.options.foot && self.is_felt(excess, r) {
             self.fault(FaultKind::FootOutside, Part::Edge(e), x, excess);
         }
     }
