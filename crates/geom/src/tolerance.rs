@@ -94,8 +94,6 @@ pub const CHECK_FLOATING: f64 = 1e-9;
 
 /// Relative error of numerical integration: a thousandth of what the cells' areas are held to.
 pub const QUADRATURE: f64 = 1e-12;
-/// Relative error of numerical integration: a hundred rounding units.
-pub const QUADRATURE: f64 = 1e-14;
 
 /// Offset segments shorter than this are dropped and their ends merged, *relative*: some thousand times the rounding
 /// of coordinates, so that what goes is noise, and a thousandth of what an offset may be off.

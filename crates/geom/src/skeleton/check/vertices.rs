@@ -124,7 +124,7 @@ impl Judge<'_> {
     fn contact(&self, e: EdgeId, end: End) -> Vec2 {
         let x: Point = self.end_point(e, end);
         let element = &self.elements[self.skeleton.site(e) as usize];
-        let foot = element.at(self.foot(e, end));
+        let foot = element.at(self.foot(e, end).clamp(0.0, element.extent()));
         if x.distance(foot.point()) > 0.0 { foot.point() - x } else { -foot.normal }
     }
 }
