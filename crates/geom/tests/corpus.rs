@@ -72,3 +72,28 @@ fn every_region_of_the_corpus_builds_with_its_area() {
     }
     assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
 }
+
+/// Loops that cross, touch or overlap: a region or a refusal, never a panic, and a region's area is the even-odd one
+/// where nothing was drawn twice.
+#[test]
+fn raw_loops_become_regions_or_are_refused() {
+    let Some(corpus) = corpus() else { return };
+    let (mut built, mut refused) = (0, 0);
+    for record in records(&corpus.join("raw.jsonl")) {
+        let id = record["id"].as_str().unwrap();
+        match heal(&record) {
+            Ok(healed) => {
+                built += 1;
+                assert_invariants(&healed.region, id);
+                assert!(!healed.notes.is_empty() || id.contains("icon") || id.contains("glyph"), "{id} needs healing");
+                println!("{id}: area {} of {}, {}", healed.region.area(), record["area_fill_rule"], healed.notes.len());
+            }
+            Err(e) => {
+                refused += 1;
+                assert!(matches!(e, RegionError::Crossing { .. } | RegionError::Nothing { .. }), "{id}: {e}");
+                println!("{id}: {e}");
+            }
+        }
+    }
+    assert_eq!(built + refused, 82);
+}
