@@ -128,3 +128,42 @@ proptest! {
         prop_assert_eq!(pocketed, parity);
     }
 }
+
+/// Loops on a coarse grid: full of touches, shared edges, spikes and crossings.
+fn grid_loop() -> impl Strategy<Value = Vec<[f64; 3]>> {
+    let bulge =
+        prop_oneof![4 => Just(0.0), 1 => Just(1.0), 1 => Just(-1.0), 1 => Just(0.5), 1 => Just(-0.41421356237309503)];
+    prop::collection::vec((0_i32..6, 0_i32..6, bulge), 2..7)
+        .prop_map(|v| v.into_iter().map(|(x, y, b)| [f64::from(x), f64::from(y), b]).collect())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(4000))]
+
+    #[test]
+    fn loops_on_a_grid_are_refused_or_keep_their_parity(
+        loops in prop::collection::vec(grid_loop(), 1..4), points in prop::collection::vec((-1.0..7.0_f64, -1.0..7.0_f64), 20),
+    ) {
+        let loops: Vec<Contour> = loops.iter().map(|l| Contour::from_vertices(l)).collect();
+        let Ok(healed) = build(loops.clone(), &RepairOptions::default()) else { return Ok(()) };
+        let region = healed.region;
+        for (contour, parent) in region.contours().iter().zip(region.parents()) {
+            let n = contour.segments.len();
+            prop_assert!(n > 1);
+            for (k, s) in contour.segments.iter().enumerate() {
+                prop_assert!(s.start() != s.end());
+                prop_assert_eq!(s.end(), contour.segments[(k + 1) % n].start());
+            }
+            prop_assert_eq!(parent.is_none(), contour.area() > 0.0, "{:?}", contour);
+        }
+        if healed.notes.iter().any(|n| matches!(n, Note::Duplicate { .. })) {
+            return Ok(());
+        }
+        let raw = Region::from_parts_unchecked(loops.clone(), vec![None; loops.len()]);
+        for p in points.into_iter().map(|(x, y)| point(x, y)) {
+            if raw.segments().all(|s| s.distance(p) > 1e-3) {
+                prop_assert_eq!(region.contains(p), raw.contains(p), "{:?}", p);
+            }
+        }
+    }
+}
