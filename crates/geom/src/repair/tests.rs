@@ -274,3 +274,11 @@ fn a_joint_of_two_arcs_on_the_inside_of_a_third_cuts_it_once() {
         assert_eq!(healed.region.parents(), [None, None]);
     }
 }
+
+#[test]
+fn an_arc_that_leaves_the_leftmost_corner_along_a_wall_does_not_turn_the_region_inside_out() {
+    let b = -0.414_213_562_373_095_03;
+    let healed = heal(vec![contour(&[[2.0, 5.0, -1.0], [2.0, 0.0, 0.0], [2.0, 5.0, b], [3.0, 4.0, b]])]);
+    assert!(healed.region.contains(point(3.5, 2.5)) && !healed.region.contains(point(2.5, 4.5)));
+    assert_eq!(healed.region.parents(), [None]);
+}
