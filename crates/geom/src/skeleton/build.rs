@@ -1,0 +1,170 @@
+//! The construction from end to end: frame, sites, cycle, recursion, assembly.
+
+use super::assemble::{Component, assemble};
+use super::cycle::{Cycle, Junction, Ring};
+use super::element::Element;
+use super::joints::{Joint, classify};
+use super::recursion;
+use super::topology::{NONE, Site, SiteShape, Skeleton, Vertex};
+use crate::point::{Point, Vec2};
+use crate::region::{Pocket, Region};
+use crate::segment::{Arc, Line, Segment};
+
+/// Why a skeleton can't be built.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum SkeletonError {
+    /// The region has no contours, or a contour has fewer than two segments.
+    #[error("contour {contour} has fewer than two edges")]
+    Degenerate {
+        /// Index of the contour.
+        contour: usize,
+    },
+}
+
+/// The frame that the construction computes in: size between 0.5 and 1, the pocket's middle at the origin; scaling is
+/// by a power of two and exact.
+#[derive(Clone, Copy, Debug)]
+struct Frame {
+    origin: Point,
+    scale: f64,
+}
+
+impl Frame {
+    fn of(region: &Region, pocket: &Pocket) -> Self {
+        let bounds = region.contours()[pocket.outer as usize].bbox();
+        let scale = (-bounds.size().log2().ceil()).exp2();
+        Self { origin: bounds.center(), scale }
+    }
+
+    fn enter(self, p: Point) -> Point {
+        ((p - self.origin) * self.scale).to_point()
+    }
+
+    fn leave(self, p: Point) -> Point {
+        self.origin + p.to_vec() / self.scale
+    }
+}
+
+impl Skeleton {
+    /// The skeleton of a region, in O(n log n) for n boundary segments (observed).
+    ///
+    /// # Errors
+    /// [`SkeletonError`] where a contour isn't one.
+    pub fn build(region: &Region) -> Result<Self, SkeletonError> {
+        if let Some(contour) = region.contours().iter().position(|c| c.segments.len() < 2) {
+            return Err(SkeletonError::Degenerate { contour });
+        }
+        let mut skeleton = Self::default();
+        for pocket in region.pockets() {
+            skeleton.add_pocket(region, &pocket);
+        }
+        Ok(skeleton)
+    }
+
+    fn add_pocket(&mut self, region: &Region, pocket: &Pocket) {
+        let frame = Frame::of(region, pocket);
+        let mut boundary = Boundary::new(frame);
+        let contours = std::iter::once(pocket.outer).chain(pocket.islands.iter().copied());
+        let rings = contours.map(|c| boundary.ring(c, &region.contours()[c as usize].segments)).collect::<Vec<_>>();
+        let sites: Vec<Element> = rings.iter().flatten().map(|(e, _)| *e).collect();
+        let corners: Vec<Point> = boundary.corners.iter().map(|&p| frame.enter(p)).collect();
+        let cycle = Cycle::new(rings);
+        let draft = recursion::run(&cycle, &corners);
+        let component = assemble(&cycle, draft, &sites, &boundary.convex);
+        self.append(component, boundary);
+    }
+
+    /// Add a component, back in the drawing's frame; boundary vertices keep their exact places.
+    fn append(&mut self, component: Component, boundary: Boundary) {
+        let (vertex_base, edge_base) = (self.vertices.len() as u32, self.half_edges.len() as u32);
+        let site_base = self.sites.len() as u32;
+        let frame = boundary.frame;
+        self.vertices.extend(component.vertices.iter().enumerate().map(|(k, v)| match boundary.corners.get(k) {
+            Some(&point) if v.clearance == 0.0 => Vertex { point, clearance: 0.0 },
+            _ => Vertex { point: frame.leave(v.point), clearance: v.clearance / frame.scale },
+        }));
+        let shifted = |e: u32| if e == NONE { NONE } else { e + edge_base };
+        self.half_edges.extend(component.half_edges.iter().map(|h| super::HalfEdge {
+            origin: h.origin + vertex_base,
+            next: shifted(h.next),
+            site: h.site + site_base,
+        }));
+        let firsts = component.first.iter();
+        self.sites.extend(boundary.sites.into_iter().zip(firsts).map(|(s, &e)| Site { first: shifted(e), ..s }));
+    }
+}
+
+/// Sites and boundary vertices of one pocket, collected contour by contour.
+struct Boundary {
+    frame: Frame,
+    sites: Vec<Site>,
+    /// Boundary vertices in the drawing's frame.
+    corners: Vec<Point>,
+    convex: Vec<bool>,
+}
+
+impl Boundary {
+    fn new(frame: Frame) -> Self {
+        Self { frame, sites: Vec::new(), corners: Vec::new(), convex: Vec::new() }
+    }
+
+    /// The elements of one contour; segment by segment, each followed by the reflex vertex at its end, if it is one.
+    fn ring(&mut self, contour: u32, segments: &[Segment]) -> Ring {
+        let mut ring = Ring::with_capacity(segments.len() + 8);
+        let size = 1.0 / self.frame.scale;
+        let first_corner = self.corners.len() as u32;
+        let closing = classify(&segments[segments.len() - 1], &segments[0], size);
+        let mut joint = closing;
+        self.corner(segments[0].start(), joint);
+        let mut corner = first_corner;
+        for (k, segment) in segments.iter().enumerate() {
+            let junction = match joint {
+                Joint::Convex => Junction::Convex(corner),
+                Joint::Smooth(n) | Joint::Reflex(_, n) => Junction::Spoke(corner, n),
+            };
+            let element = self.element(segment);
+            self.site(shape_of(segment), contour, k as u32);
+            ring.push((element, junction));
+            let next = (k + 1) % segments.len();
+            joint = if next == 0 { closing } else { classify(segment, &segments[next], size) };
+            corner = if next == 0 { first_corner } else { self.corner(segments[next].start(), joint) };
+            if let Joint::Reflex(n0, n1) = joint {
+                ring.push((self.reflex(segment.end(), n0, n1), Junction::Spoke(corner, n0)));
+                self.site(SiteShape::Point(segment.end()), contour, next as u32);
+            }
+        }
+        ring
+    }
+
+    fn corner(&mut self, p: Point, joint: Joint) -> u32 {
+        self.corners.push(p);
+        self.convex.push(joint == Joint::Convex);
+        self.corners.len() as u32 - 1
+    }
+
+    fn site(&mut self, shape: SiteShape, contour: u32, segment: u32) {
+        self.sites.push(Site { shape, contour, segment, first: NONE });
+    }
+
+    fn element(&self, segment: &Segment) -> Element {
+        let site = self.sites.len() as u32;
+        let (start, end) = (self.frame.enter(segment.start()), self.frame.enter(segment.end()));
+        match segment {
+            Segment::Line(_) => Element::line(start, end, site),
+            Segment::Arc(a) => {
+                Element::arc(start, end, self.frame.enter(a.center), a.radius * self.frame.scale, a.ccw, site)
+            }
+        }
+    }
+
+    fn reflex(&self, p: Point, n0: Vec2, n1: Vec2) -> Element {
+        Element::point(self.frame.enter(p), n0, n1, self.sites.len() as u32)
+    }
+}
+
+fn shape_of(segment: &Segment) -> SiteShape {
+    match *segment {
+        Segment::Line(Line { start, end }) => SiteShape::Line(Line { start, end }),
+        Segment::Arc(a) => SiteShape::Arc(Arc { ..a }),
+    }
+}
