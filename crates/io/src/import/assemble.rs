@@ -214,6 +214,8 @@ fn warning<'a>(note: &Note, source_of: impl Fn(u32) -> &'a Source) -> Warning {
         Note::Shared { .. } => {
             format!("it shares an edge with another contour ({with}); the areas on both sides are joined")
         }
+        Note::Overlap { .. } if with.is_empty() => "it overlaps itself by less than rounding; mended".to_owned(),
+        Note::Overlap { .. } => format!("it overlaps another contour ({with}) by less than rounding; mended"),
         Note::Touch { .. } if with.is_empty() => "it touches itself; taken as it is".to_owned(),
         Note::Touch { .. } => format!("it touches another contour ({with}); taken as it is"),
     };

@@ -198,10 +198,7 @@ impl<'a> Raw<'a> {
             "CIRCLE" => self.mirrored(self.circle(source)?, source)?,
             "ARC" => self.mirrored(self.arc(source)?, source)?,
             "LWPOLYLINE" => self.mirrored(self.lwpolyline(source, notes)?, source)?,
-            "POLYLINE" => match self.polyline(source, notes)? {
-                Some(shape) => shape,
-                None => return Ok(None),
-            },
+            "POLYLINE" => return self.polyline(source, notes),
             "ELLIPSE" => self.ellipse(source, notes)?,
             "SPLINE" => self.spline(source, notes)?,
             "INSERT" => Shape::Insert(self.insert(source)?),
@@ -404,15 +401,12 @@ pub(super) fn layer_name(text: &str) -> String {
     let mut name = parts.next().unwrap_or_default().to_owned();
     for part in parts {
         let code = part.get(..4).and_then(|hex| u32::from_str_radix(hex, 16).ok()).and_then(char::from_u32);
-        match code {
-            Some(c) => {
-                name.push(c);
-                name.push_str(&part[4..]);
-            }
-            None => {
-                name.push_str("\\U+");
-                name.push_str(part);
-            }
+        if let Some(c) = code {
+            name.push(c);
+            name.push_str(&part[4..]);
+        } else {
+            name.push_str("\\U+");
+            name.push_str(part);
         }
     }
     name

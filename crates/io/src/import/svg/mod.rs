@@ -247,7 +247,7 @@ impl<'a> Walk<'a> {
             let problem = format!("the drawing lays out to more than {MAX_CURVES} curves");
             return Err(ImportError::new(FaultKind::Limit, source.place(), problem, "remove nested uses"));
         }
-        self.add(&subpaths, state, source)
+        self.add(&subpaths, state, &source)
     }
 
     /// Whether the shape itself is asked for by its id.
@@ -257,7 +257,7 @@ impl<'a> Walk<'a> {
         id.is_some()
     }
 
-    fn add(&mut self, subpaths: &[Subpath], state: &State<'a>, source: Source) -> Result<(), ImportError> {
+    fn add(&mut self, subpaths: &[Subpath], state: &State<'a>, source: &Source) -> Result<(), ImportError> {
         let fit = self.options.fit_tolerance;
         let id = self.sketch.source(source.clone());
         if !state.style.filled {
@@ -279,7 +279,7 @@ impl<'a> Walk<'a> {
             loops.push(Contour::new(std::mem::take(&mut self.edges)));
         }
         if !state.style.even_odd && loops.len() > 1 {
-            loops = self.nonzero(loops, &source)?;
+            loops = self.nonzero(loops, source)?;
         }
         self.sketch.loops.extend(loops.into_iter().map(|contour| super::sketch::Loop { contour, source: id }));
         Ok(())
