@@ -22,11 +22,15 @@ pub(crate) struct Fitted {
 }
 
 /// Lines and arcs within `tolerance` mm of a chain of curves, each of which starts where the one before ends.
+///
+/// A tolerance below what the numbers themselves can tell is raised to that.
 pub(crate) fn fit(chain: &[Bezier], tolerance: f64) -> Fitted {
     let mut fitted = Fitted { segments: Vec::new(), error: 0.0 };
     let Some(first) = chain.first() else { return fitted };
     let origin = first.start().to_vec();
     let local: Vec<Bezier> = chain.iter().map(|b| shifted(b, -origin)).collect();
+    let extent = local.iter().flat_map(Bezier::places).fold(0.0, |e: f64, p| e.max(p.to_vec().length()));
+    let tolerance = tolerance.max(tolerance::COORDINATE_ROUNDOFF * extent / tolerance::STRAIGHT_SHARE);
     let mut from = 0;
     for k in 1..=local.len() {
         if k == local.len() || is_corner(&local[k - 1], &local[k]) {

@@ -82,6 +82,14 @@ fn bulges_of_both_kinds_of_polyline_are_arcs() {
 }
 
 #[test]
+fn bulges_next_to_nothing_are_straight_or_flat_arcs() {
+    for bulge in ["1e-14", "-1e-8", "1e-300"] {
+        let text = format!("0,LWPOLYLINE,8,0,90,4,70,1,10,0,20,0,42,{bulge},10,900,20,0,10,900,20,900,10,0,20,900");
+        assert_area(&read(&text), 810_000.0, 0.01);
+    }
+}
+
+#[test]
 fn ellipses_whole_and_in_pieces() {
     let whole = read("0,ELLIPSE,8,0,10,0,20,0,11,0,21,20,40,0.5,41,0,42,6.283185307179586");
     assert_area(&whole, 200.0 * PI, 0.05);

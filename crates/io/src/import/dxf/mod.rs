@@ -12,14 +12,16 @@
 mod entity;
 mod expand;
 mod groups;
+mod raw;
 mod tables;
 
 use super::ImportOptions;
 use super::error::{FaultKind, ImportError, Place};
 use super::sketch::{MAX_CURVES, Sketch, Source};
-use entity::{Entity, Raw, Reading, block_key};
+use entity::{Entity, Reading};
 use groups::{CUT_HINT, Group, Groups, decode, syntax};
 use pocketry_geom::{Point, point};
+use raw::{Raw, block_key};
 use std::collections::{BTreeMap, HashMap};
 use tables::{Header, Layers};
 
