@@ -184,6 +184,10 @@ fn hidden_layers_and_paper_space_are_left_out() {
     let entities = [SQUARE.to_owned(), circle("off", ""), circle("ICE", ""), circle("0", ",67,1")].join(",");
     let drawing = parse(&file(MM, layers, "", &entities), &ImportOptions::default()).unwrap();
     assert_area(&drawing, 100.0, 1e-12);
+    let only_hidden = parse(&file(MM, layers, "", &circle("off", "")), &ImportOptions::default()).unwrap_err();
+    assert!(only_hidden.to_string().contains("off or frozen: off"), "{only_hidden}");
+    let asked_for = ImportOptions { layers: vec!["OFF".to_owned()], ..ImportOptions::default() };
+    assert!(parse(&file(MM, layers, "", &entities), &asked_for).is_ok());
 }
 
 #[test]
