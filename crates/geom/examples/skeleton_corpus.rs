@@ -10,6 +10,7 @@
 //!   --svg DIR        draw failing regions                --all          draw the others too
 //!   --json DIR       write failing regions' loops        --minimise DIR write reduced loops that fail alike
 //!   --faults N       faults printed for each region (3)  --quiet        only the table
+//!   --give-up N      leave a file after N regions that ran into the limit (3)
 //! ```
 
 use pocketry_geom::Region;
@@ -40,6 +41,7 @@ struct Options {
     json: Option<PathBuf>,
     minimise: Option<PathBuf>,
     faults: usize,
+    give_up: usize,
     quiet: bool,
 }
 
@@ -119,6 +121,7 @@ fn parse(args: impl Iterator<Item = String>) -> Result<Options, String> {
         json: None,
         minimise: None,
         faults: 3,
+        give_up: 3,
         quiet: false,
     };
     let mut args = args;
@@ -150,6 +153,7 @@ fn parse(args: impl Iterator<Item = String>) -> Result<Options, String> {
             "--json" => o.json = Some(value()?.into()),
             "--minimise" => o.minimise = Some(value()?.into()),
             "--faults" => o.faults = number(&value()?)?,
+            "--give-up" => o.give_up = number(&value()?)?,
             "--quiet" => o.quiet = true,
             _ if arg.starts_with("--") => return Err(format!("unknown option {arg}")),
             _ => o.files.push(arg.into()),
@@ -169,13 +173,19 @@ fn run_file(records: Vec<Record>, options: &Arc<Options>) -> Table {
         .filter(|r| options.edges.contains(&r.loops.iter().map(Vec::len).sum()))
         .map(|r| Record { loops: options.transform.apply(&r.loops), ..r })
         .collect();
-    let next = AtomicUsize::new(0);
+    let (next, late) = (AtomicUsize::new(0), AtomicUsize::new(0));
     let mut outcomes: Vec<(usize, Outcome)> = std::thread::scope(|scope| {
         let worker = || {
             let mut mine = Vec::new();
-            while let Some(record) = records.get(next.fetch_add(1, Ordering::Relaxed)) {
+            // Threads left behind take the machine's time, so that soon all others would run into the limit too.
+            while late.load(Ordering::Relaxed) < options.give_up
+                && let Some(record) = records.get(next.fetch_add(1, Ordering::Relaxed))
+            {
                 let k = (std::ptr::from_ref(record) as usize - records.as_ptr() as usize) / size_of::<Record>();
                 let outcome = watched(&record.loops, options);
+                if matches!(outcome, Outcome::TimedOut) {
+                    late.fetch_add(1, Ordering::Relaxed);
+                }
                 tell(record, &outcome, options);
                 mine.push((k, outcome));
             }
@@ -301,7 +311,8 @@ fn write_loops(folder: &Path, id: &str, loops: &Loops) {
 }
 
 fn write(folder: &Path, id: &str, extension: &str, text: &str) {
-    let name: String = id.chars().map(|c| if c.is_ascii_alphanumeric() || "._-".contains(c) { c } else { '_' }).collect();
+    let name: String =
+        id.chars().map(|c| if c.is_ascii_alphanumeric() || "._-".contains(c) { c } else { '_' }).collect();
     let path = folder.join(format!("{name}.{extension}"));
     if let Err(error) = std::fs::create_dir_all(folder).and_then(|()| std::fs::write(&path, text)) {
         eprintln!("{}: {error}", path.display());

@@ -184,7 +184,7 @@ impl SegmentIndex {
     }
 
     /// The first crossing of the ray from `p` towards −x with a segment that `admit` lets through.
-    pub fn first_left(&self, p: Point, admit: impl Fn(usize) -> bool) -> Option<(usize, Hit)> {
+    pub fn first_left(&self, p: Point, admit: impl Fn(usize, &Segment) -> bool) -> Option<(usize, Hit)> {
         let mut best: Option<(usize, Hit)> = None;
         let mut stack = if self.is_empty() { vec![] } else { vec![1] };
         let right = p - self.origin;
@@ -199,7 +199,7 @@ impl SegmentIndex {
                 stack.extend([children[1 - nearer], children[nearer]]);
                 continue;
             }
-            for k in self.items(node - self.leaves).filter(|&k| admit(self.order[k] as usize)) {
+            for k in self.items(node - self.leaves).filter(|&k| admit(self.order[k] as usize, &self.segments[k])) {
                 crossings_left(&self.segments[k], p, |hit| {
                     if best.is_none_or(|(b, h)| lies_right((&self.segments[k], hit), (&self.segments[b], h))) {
                         best = Some((k, hit));

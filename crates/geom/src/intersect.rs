@@ -82,10 +82,10 @@ pub fn contacts(a: &Segment, b: &Segment, closeness: Closeness, mut found: impl 
             }
         }
         (Segment::Line(l), Segment::Arc(c)) | (Segment::Arc(c), Segment::Line(l)) => {
-            report(a, b, line_and_circle(l, c, touch), &ends, closeness, &mut found);
+            report(a, b, &line_and_circle(l, c, touch), &ends, closeness, &mut found);
         }
         (Segment::Arc(c), Segment::Arc(d)) => {
-            report(a, b, circle_and_circle(c, d, touch), &ends, closeness, &mut found);
+            report(a, b, &circle_and_circle(c, d, touch), &ends, closeness, &mut found);
         }
     }
 }
@@ -147,7 +147,7 @@ enum Common {
 fn report(
     a: &Segment,
     b: &Segment,
-    common: Common,
+    common: &Common,
     ends: &Ends,
     closeness: Closeness,
     found: &mut impl FnMut(Contact),
@@ -156,7 +156,7 @@ fn report(
         let apart = |e: Point| !stay_close(a, b, p, e, closeness.touch);
         lies_inside(a, p) && lies_inside(b, p) && ends.iter().all(apart)
     };
-    match common {
+    match *common {
         Common::None => {}
         Common::One(p) => {
             if counts(p) {

@@ -100,6 +100,125 @@ pub const CHECK_FLOATING: f64 = 1e-9;
 
 /// Relative error of numerical integration: a hundred rounding units.
 pub const QUADRATURE: f64 = 1e-14;
+
+/// Offset segments shorter than this are dropped and their ends merged, *relative*: some thousand times the rounding
+/// of coordinates, so that what goes is noise, and a thousandth of what an offset may be off.
+pub const OFFSET_DROP: f64 = 1e-12;
+
+/// Skeleton edges whose clearance changes by no more than this are constant, *relative*: above the rounding of
+/// clearances, below any taper that a drawing means.
+pub const PLATEAU: f64 = 1e-11;
+
+/// One minus the rate at which clearance grows along an edge, below which the edge runs straight away from its sites
+/// (a spoke, or the bisector at a joint that is smooth but for rounding).
+pub const SPOKE_RATE: f64 = 1e-9;
+
+/// Squared half sum or half difference of two unit gradients below which a Newton step along it says nothing.
+pub const GRADIENT: f64 = 1e-14;
+
+/// A crossing whose clearance is off by more than this is sought again by bisection, *relative*: a hundredth of what
+/// an offset may be off.
+pub const CROSSING: f64 = 1e-9;
+
+/// A tool may enter a channel that is narrower than it by twice this, mm: a twentieth of [`GOUGE`], and more than the
+/// rounding of drawings with four decimals moves a wall.
+pub const FIT_SLACK: f64 = 1e-4;
+
+/// [`FIT_SLACK`] as a share of the offset distance, for tools so small that it would count.
+pub const FIT_SLACK_SHARE: f64 = 1e-4;
+
+/// Ends of degenerate paths shorter than this share of the offset distance are left out: the disk at their root covers
+/// their disks but for slivers thinner than what may stay uncut.
+pub const SPUR_SHARE: f64 = 1e-3;
+
+/// How far the end of a straight step towards a wall may miss the loop that it leads to, *relative*: what offsets may be
+/// off, ten times over.
+pub const LANDING: f64 = 1e-6;
+
+/// A landing this near to the end of a loop's segment is moved there, *relative*: it would leave a piece shorter than what
+/// offsets may be off, of which an arc could turn round.
+pub const LANDING_SNAP: f64 = 1e-8;
+
+/// Tolerances of the proof of a written program.
+pub mod proof {
+    /// A program may gouge by no more than this part of the tool's radius, where that is less than [`GOUGE`](super::GOUGE).
+    pub const GOUGE_PER_RADIUS: f64 = 0.01;
+
+    /// Material counts as left uncut where the tool stays farther from it than this part of its radius (or [`GOUGE`](super::GOUGE), where that is more).
+    pub const COVER_PER_RADIUS: f64 = 2e-4;
+
+    /// Rounding of a distance computed by the proof from coordinates, as a part of the largest coordinate: some 250 units in
+    /// the last place, several times what its longest chain of operations loses.
+    pub const ROUNDING: f64 = 256.0 * f64::EPSILON;
+
+    /// Arcs that lie nearer than this part of the gouge limit to their chords are judged as their chords (and the limit tightened).
+    pub const FLATNESS: f64 = 1e-3;
+
+    /// A turn between two curves below this angle opens no sector between their parallels: at a radius of 1 m it would be 1 nm wide.
+    pub const SMOOTH_JOINT: f64 = 1e-9;
+
+    /// How far the radii at an arc's start and end may differ in a program, mm, or as a part of the radius where that is more.
+    pub const ARC_RADII: f64 = 0.005;
+
+    /// See [`ARC_RADII`].
+    pub const ARC_RADII_RELATIVE: f64 = 1e-4;
+
+    /// The control takes an arc of less than this angle for the full turn.
+    pub const FULL_TURN: f64 = 1e-6;
+
+    /// Heights nearer than this are the same height, mm.
+    pub const SAME_HEIGHT: f64 = 1e-6;
+
+    /// Two curves that turn back on one another within this angle make a cusp, where the sign of the turn tells nothing.
+    pub const CUSP: f64 = 1e-6;
+}
+
+/// How far the start and end radii of a planned arc may differ, mm: a tenth of what control units check, so that
+/// rounding has room.
+pub const ARC_RADII: f64 = 1e-4;
+
+/// The same for parts far from the origin: fraction of the largest coordinate, some thousand times its rounding.
+pub const ARC_RADII_RELATIVE: f64 = 1e-12;
+
+/// Arcs of a smaller radius are written as chords, mm: control units refuse arcs whose radius is about their own
+/// tolerance (LinuxCNC: 0.00127 mm by default, often set to 0.002 mm).
+pub const ARC_RADIUS_MIN: f64 = 0.005;
+
+/// Arcs of a smaller sweep are written as chords, radians: LinuxCNC takes what sweeps less than 1e-6 for a full turn.
+pub const ARC_SWEEP_MIN: f64 = 1e-5;
+
+/// How far the start and end radii of a *written* arc may differ, mm: half of the strictest setting in use.
+pub const ARC_RADII_WRITTEN: f64 = 0.001;
+
+/// Share of the gouge budget that one step of the written decimals may take: rounding moves a point of the path by
+/// up to three steps (end, centre, radius), which leaves more than half of the budget.
+pub const ROUNDING_SHARE: f64 = 0.15;
+
+/// A program may gouge by no more than this part of the tool's radius, where that is less than [`GOUGE`].
+pub const GOUGE_PER_RADIUS: f64 = 0.01;
+
+/// Material counts as left uncut where the tool stays farther from it than this part of its radius (or [`GOUGE`], where that is more).
+pub const COVER_PER_RADIUS: f64 = 2e-4;
+
+/// Rounding of a distance computed by the proof from coordinates, as a part of the largest coordinate: some 250 units in
+/// the last place, several times what its longest chain of operations loses.
+pub const PROOF_ROUNDING: f64 = 256.0 * f64::EPSILON;
+
+/// Arcs that lie nearer than this part of the gouge limit to their chords are judged as their chords (and the limit tightened).
+pub const PROOF_FLATNESS: f64 = 1e-3;
+
+/// A turn between two curves below this angle opens no sector between their parallels: at a radius of 1 m it would be 1 nm wide.
+pub const SMOOTH_JOINT: f64 = 1e-9;
+
+/// The control takes an arc of less than this angle for the full turn.
+pub const FULL_TURN: f64 = 1e-6;
+
+/// Heights nearer than this are the same height, mm.
+pub const SAME_HEIGHT: f64 = 1e-6;
+
+/// Two curves that turn back on one another within this angle make a cusp, where the sign of the turn tells nothing.
+pub const CUSP: f64 = 1e-6;
+
 /// Tolerances of the skeleton's construction, *relative*: it computes in a frame scaled to size 0.5 … 1.
 pub mod skeleton {
     /// A disk is empty if no site reaches deeper into it than this. Some ten times the rounding of a distance.
@@ -117,11 +236,12 @@ pub mod skeleton {
     pub const ORDER: f64 = 1e-18;
     /// Newton steps on the three gaps of a vertex.
     pub const NEWTON_STEPS: usize = 2;
-    /// Turn between two lines, radians, below which their joint is smooth: the clearance on its normal is then off by
-    /// at most an eighth of the square.
-    pub const SMOOTH_LINES: f64 = 1e-5;
-    /// Turn, radians, below which a joint with an arc is smooth.
-    pub const SMOOTH_ARCS: f64 = 1e-9;
+    /// How far a disk on the normal of a joint that counts as smooth may miss one of its curves.
+    pub const SMOOTH_ERROR: f64 = 1e-12;
+    /// Turn, radians, below which every joint is smooth: the rounding of directions.
+    pub const SMOOTH_LEAST: f64 = 1e-9;
+    /// Turn, radians, above which none is.
+    pub const SMOOTH_MOST: f64 = 1e-5;
     /// Turn from a cusp of angle 0 or 2π, radians, below which curvature and not direction tells which it is.
     pub const CUSP: f64 = 1e-9;
     /// Two disks nearer to one another than this are one vertex of higher degree, verified already.
@@ -130,6 +250,8 @@ pub mod skeleton {
     pub const FIRST_PROBE: f64 = 1.0 / 1024.0;
     /// No disk inside the region is as large as this.
     pub const LARGEST_DISK: f64 = 2.0;
+    /// Steps along the wall from an element to the one that owns a contact: reflex vertex and cut pieces between.
+    pub const HOPS: usize = 6;
     /// Corrections of a guess before the bracketed search takes over; two or three are usual.
     pub const GUESSES: usize = 200;
     /// Width, of an interval from 0 to 1, at which a bisection has converged.

@@ -1,6 +1,7 @@
 //! Regions as JSON lines.
 
-use pocketry_geom::{Contour, Point, Region};
+use pocketry_geom::repair::{self, RegionError, RepairOptions};
+use pocketry_geom::{Contour, Region};
 use serde::Deserialize;
 use std::fs;
 use std::io;
@@ -39,47 +40,10 @@ pub fn read(path: &Path) -> io::Result<Vec<Record>> {
 /// The region bounded by the loops.
 ///
 /// # Errors
-/// None yet.
-pub fn region(loops: &Loops) -> Result<Region, String> {
-    let contours: Vec<Contour> = loops.iter().map(|l| Contour::from_vertices(l)).collect();
-    let inside = |p: Point, c: &Contour| {
-        // winding by angle sum over a fine flattening
-        let mut pts = Vec::new();
-        let tol = c.bbox().size() * 1e-6;
-        for s in &c.segments {
-            s.flatten(tol, &mut pts);
-        }
-        let mut odd = false;
-        for k in 0..pts.len() {
-            let (a, b) = (pts[k], pts[(k + 1) % pts.len()]);
-            if (a.y > p.y) != (b.y > p.y) && a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x) > p.x {
-                odd = !odd;
-            }
-        }
-        odd
-    };
-    let boxes: Vec<_> = contours.iter().map(Contour::bbox).collect();
-    let mut around: Vec<Vec<usize>> = Vec::new();
-    for (k, c) in contours.iter().enumerate() {
-        let p = c.segments[0].at(0.37);
-        around.push(
-            (0..contours.len()).filter(|&j| j != k && boxes[j].contains(p) && inside(p, &contours[j])).collect(),
-        );
-    }
-    let oriented = contours
-        .iter()
-        .enumerate()
-        .map(|(k, c)| if (c.area() > 0.0) == (around[k].len() % 2 == 0) { c.clone() } else { c.reversed() })
-        .collect();
-    let parents = (0..contours.len())
-        .map(|k| {
-            let depth = around[k].len();
-            (depth % 2 == 1)
-                .then(|| around[k].iter().copied().find(|&j| around[j].len() == depth - 1).map(|j| j as u32))
-                .flatten()
-        })
-        .collect();
-    Ok(Region::from_parts_unchecked(oriented, parents))
+/// As [`repair::build`].
+pub fn region(loops: &Loops) -> Result<Region, RegionError> {
+    let contours = loops.iter().map(|l| Contour::from_vertices(l)).collect();
+    repair::build(contours, &RepairOptions::default()).map(|healed| healed.region)
 }
 
 /// The folder of shared test data: `POCKETRY_SHARED`, or `../shared` beside the checkout; `None`, with a message,

@@ -28,23 +28,26 @@ pub(super) struct Contacts {
 }
 
 /// All contacts beyond those of neighbours at their common vertex.
-pub(super) fn find(edges: &[Edge], next: &[u32], closeness: Closeness) -> Result<Contacts, RegionError> {
-    let segments: Vec<Segment> = edges.iter().map(|e| e.segment).collect();
-    let index = SegmentIndex::new(&segments);
+pub(super) fn find(
+    edges: &[Edge],
+    next: &[u32],
+    index: &SegmentIndex,
+    closeness: Closeness,
+) -> Result<Contacts, RegionError> {
     let mut seen = Contacts::default();
     let most = MOST_FOR_EACH_EDGE * (edges.len() + MOST_FOR_EACH_EDGE);
     let error = index.visit_pairs(closeness.touch, |i, j| {
         let (i, j) = (i.min(j), i.max(j));
-        if runs_on(&segments, next, i, j) || runs_on(&segments, next, j, i) {
+        if runs_on(edges, next, i, j) || runs_on(edges, next, j, i) {
             return ControlFlow::Continue(());
         }
         let mut crossing = None;
-        contacts(&segments[i], &segments[j], closeness, |c| match c {
+        contacts(&edges[i].segment, &edges[j].segment, closeness, |c| match c {
             Contact::Crossing { at, shallow: false } => crossing = Some(at),
             c => seen.note(c, i as u32, j as u32, next, edges.len()),
         });
         if crossing.is_none() && seen.touched.len() > most {
-            crossing = Some(segments[i].start());
+            crossing = Some(edges[i].segment.start());
         }
         match crossing {
             Some(at) => {
@@ -60,14 +63,19 @@ pub(super) fn find(edges: &[Edge], next: &[u32], closeness: Closeness) -> Result
 }
 
 /// Whether two straight edges follow one another without turning back: they meet only at their common vertex.
-fn runs_on(segments: &[Segment], next: &[u32], i: usize, j: usize) -> bool {
-    match (&segments[i], &segments[j]) {
+fn runs_on(edges: &[Edge], next: &[u32], i: usize, j: usize) -> bool {
+    match (&edges[i].segment, &edges[j].segment) {
         (Segment::Line(l), Segment::Line(m)) => next[i] as usize == j && (l.end - l.start).dot(m.end - m.start) >= 0.0,
         _ => false,
     }
 }
 
 impl Contacts {
+    /// Whether edges meet nowhere but at common vertices of neighbours.
+    pub(super) fn is_empty(&self) -> bool {
+        self.touched.is_empty()
+    }
+
     fn note(&mut self, contact: Contact, i: u32, j: u32, next: &[u32], count: usize) {
         let vertex = |edge: u32, start: bool| if start { edge } else { next[edge as usize] };
         match contact {

@@ -39,8 +39,9 @@ fn corners_agree(a: BBox, b: BBox, tolerance: f64) -> bool {
 fn cover(a: &Contour, b: &Contour, tolerance: f64) -> bool {
     let lies_on = |a: &Contour, b: &Contour| {
         let index = SegmentIndex::new(&b.segments);
-        let bound = tolerance.next_up();
-        a.segments.iter().all(|s| [s.start(), s.at(0.5)].into_iter().all(|p| index.nearest_within(p, bound).is_some()))
+        a.segments
+            .iter()
+            .all(|s| [s.start(), s.at(0.5)].into_iter().all(|p| index.nearest(p).is_some_and(|(_, d)| d <= tolerance)))
     };
     (a.length() - b.length()).abs() <= tolerance * (a.segments.len() + b.segments.len()) as f64
         && lies_on(a, b)

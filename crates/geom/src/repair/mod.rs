@@ -29,6 +29,7 @@ pub use report::{Note, RegionError};
 
 use crate::bbox::BBox;
 use crate::contour::Contour;
+use crate::index::SegmentIndex;
 use crate::intersect::Closeness;
 use crate::nesting;
 use crate::region::Region;
@@ -44,7 +45,7 @@ pub struct RepairOptions {
 }
 
 impl RepairOptions {
-    fn narrow(&self, bbox: BBox) -> f64 {
+    fn narrow(self, bbox: BBox) -> f64 {
         self.join_tolerance.min(tolerance::NARROW * bbox.size())
     }
 }
@@ -86,16 +87,21 @@ pub fn build(loops: Vec<Contour>, options: &RepairOptions) -> Result<Healed, Reg
     duplicates::drop_repeated(&mut loops, options.narrow(bbox), &mut notes);
     let closeness = Closeness { touch, lens: options.narrow(bbox) };
     let (edges, next) = edges_of(&loops);
-    let contacts = contacts::find(&edges, &next, closeness)?;
+    let mut index = SegmentIndex::new(&edges.iter().map(|e| e.segment).collect::<Vec<_>>());
+    let contacts = contacts::find(&edges, &next, &index, closeness)?;
+    let as_drawn = contacts.is_empty();
     let (pieces, vertices) = arrangement::pieces(&edges, &next, contacts, closeness, &mut notes);
     if pieces.is_empty() {
         return Err(RegionError::Nothing { loops: count, at: bbox.center() });
     }
+    if !as_drawn {
+        index = SegmentIndex::new(&pieces.iter().map(|p| p.segment).collect::<Vec<_>>());
+    }
     let fans = fans::Fans::new(&pieces, vertices);
-    let left = sides::interior_left(&pieces, &fans)?;
+    let left = sides::interior_left(&pieces, &fans, &index)?;
     splice::touch_notes(&pieces, &fans, &mut notes);
-    let contours = splice::contours(&pieces, &fans, &left);
-    let parents = nesting::parents(&contours);
+    let (contours, owners) = splice::contours(&pieces, &fans, &left);
+    let parents = nesting::parents_by(&contours, &index, |piece| owners[piece]);
     Ok(Healed { region: Region::from_parts_unchecked(contours, parents), notes })
 }
 

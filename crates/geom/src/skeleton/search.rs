@@ -14,7 +14,7 @@ pub(super) fn third_contact(scene: &Scene, (a, b): (u32, u32), parent: Disk) -> 
 
 /// Start from a neighbour of `a` or `b`; each verification that finds a nearer element makes it the next guess.
 /// `None` where a closed form fails.
-pub(super) fn guess_and_verify(scene: &Scene, (a, b): (u32, u32), parent: Disk) -> Option<(u32, Disk)> {
+fn guess_and_verify(scene: &Scene, (a, b): (u32, u32), parent: Disk) -> Option<(u32, Disk)> {
     let elements = &scene.cycle.elements;
     let (mut c, mut disk) = first_guess(scene, (a, b), parent)?;
     for _ in 0..tol::GUESSES {
@@ -25,7 +25,7 @@ pub(super) fn guess_and_verify(scene: &Scene, (a, b): (u32, u32), parent: Disk) 
         let Some((hit, _)) = scene.heap.nearest(elements, (a + 1, b - 1), disk.center, bound) else {
             return Some((c, disk));
         };
-        let hit = facing_neighbor(scene, (a, b), hit, disk.center);
+        let hit = facing_neighbor(scene, (a, b), hit, disk);
         if hit == c {
             return None;
         }
@@ -46,24 +46,36 @@ fn first_guess(scene: &Scene, (a, b): (u32, u32), parent: Disk) -> Option<(u32, 
     }
 }
 
-/// The element between `a` and `b` next to `c` whose extent holds the foot of `center`, where that of `c` doesn't.
-fn facing_neighbor(scene: &Scene, (a, b): (u32, u32), c: u32, center: Point) -> u32 {
-    let (before, after) = scene.cycle.elements[c as usize].overshoot(center);
-    if before > tol::EXTENT && before >= after && c > a + 1 {
-        c - 1
-    } else if after > tol::EXTENT && after > before && c + 1 < b {
-        c + 1
-    } else {
-        c
+/// Follow the wall from `c` to the element, still between `a` and `b` and within reach of the disk, whose extent holds
+/// the foot of the disk's centre.
+fn facing_neighbor(scene: &Scene, (a, b): (u32, u32), mut c: u32, disk: Disk) -> u32 {
+    for _ in 0..tol::HOPS {
+        let e = &scene.cycle.elements[c as usize];
+        let (before, after) = e.overshoot(disk.center);
+        if before <= tol::EMPTY && after <= tol::EMPTY {
+            break;
+        }
+        let is_at_start = if e.start == e.end {
+            before >= after
+        } else {
+            disk.center.distance_squared(e.start) <= disk.center.distance_squared(e.end)
+        };
+        let k = if is_at_start { scene.cycle.before_on_wall(c) } else { scene.cycle.after_on_wall(c) };
+        let is_candidate = k > a && k < b;
+        if !is_candidate || scene.cycle.elements[k as usize].distance(disk.center) > disk.radius + tol::FOOT {
+            break;
+        }
+        c = k;
     }
+    c
 }
 
-/// Like [`touching`] for `c` or, where the disk leaves the extent of `c`, a neighbour of it.
+/// Like [`touching`] for `c` or, where the disk leaves the extent of `c`, a neighbour of it on the wall.
 fn touching_near(scene: &Scene, (a, c, b): (u32, u32, u32), parent: Disk) -> Option<(u32, Disk)> {
     if let Some(disk) = touching(scene, (a, c, b), parent) {
         return Some((c, disk));
     }
-    [c.wrapping_sub(1), c + 1]
+    [scene.cycle.before_on_wall(c), scene.cycle.after_on_wall(c)]
         .into_iter()
         .filter(|&k| k > a && k < b)
         .find_map(|k| touching(scene, (a, k, b), parent).map(|disk| (k, disk)))
@@ -82,8 +94,8 @@ fn touching(scene: &Scene, (a, c, b): (u32, u32, u32), parent: Disk) -> Option<D
     }
     let mut spokes = spokes_among(scene, (a, c, b));
     if let Some((foot, normal, other)) = spokes.next() {
-        if spokes.next().is_some() {
-            // the cells on both sides of a reflex vertex never meet
+        if spokes.next().is_some() && !is_inside_between_spokes(e) {
+            // the cells on both sides of a reflex vertex, of an arc seen from outside or of a line never meet there
             return None;
         }
         let other = &scene.cycle.elements[other as usize];
@@ -124,8 +136,13 @@ fn spokes_among(scene: &Scene, (a, c, b): (u32, u32, u32)) -> impl Iterator<Item
     })
 }
 
+/// Two spokes meet only in the centre of an arc between them.
+fn is_inside_between_spokes(e: [&Element; 3]) -> bool {
+    e.iter().any(|e| e.carrier == Carrier::Inside)
+}
+
 /// Twice the signed area of the triangle of contacts: positive where they follow one another counter-clockwise.
-pub(super) fn contact_order(e: [&Element; 3], disk: Disk) -> f64 {
+fn contact_order(e: [&Element; 3], disk: Disk) -> f64 {
     let [p, q, r] = e.map(|e| e.normal_at(disk.center) * -disk.radius);
     (q - p).cross(r - p)
 }
@@ -298,22 +315,10 @@ fn first_touch(depth: impl Fn(f64) -> f64, mut high: f64) -> f64 {
     }
 }
 
-/// The element that owns the contact: where the foot falls outside the extent of `hit`, a neighbour that touches the
-/// disk as well and holds the foot; then refine the disk on all three.
+/// The element that owns the contact; the disk is refined on all three.
 fn owner(scene: &Scene, (a, b): (u32, u32), hit: u32, disk: Disk) -> (u32, Disk) {
-    let elements = &scene.cycle.elements;
-    let over = |k: u32| {
-        let (before, after) = elements[k as usize].overshoot(disk.center);
-        before.max(after)
-    };
-    let touches = |k: u32| elements[k as usize].distance(disk.center) <= disk.radius + tol::FOOT;
-    let mut c = hit;
-    for k in [hit.saturating_sub(1), hit + 1] {
-        if k > a && k < b && over(c) > 0.0 && over(k) < over(c) && touches(k) {
-            c = k;
-        }
-    }
-    let e = [a, c, b].map(|k| &elements[k as usize]);
+    let c = facing_neighbor(scene, (a, b), hit, disk);
+    let e = [a, c, b].map(|k| &scene.cycle.elements[k as usize]);
     let (better, error) = vertex::polish(e, disk);
     let sound = error < vertex::residual(e, disk)
         && (better.center - disk.center).length() <= tol::FOOT

@@ -117,7 +117,7 @@ impl Judge<'_> {
         let element = &self.elements[self.skeleton.site(outgoing) as usize];
         let change = self.foot(outgoing, End::Origin) - self.foot(incoming, End::Target);
         // About a reflex vertex feet turn clockwise, but a disk there has no size and is no inner vertex.
-        element.curvature().map_or(0.0, |k| (k * change).max(-NARROW))
+        element.curvature().map_or(0.0, |k| k * change)
     }
 
     /// Direction from a vertex to its foot on the site right of `e`.

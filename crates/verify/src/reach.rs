@@ -1,0 +1,89 @@
+//! What the tool can reach: the admissible centres and the opening of the region by the tool.
+//!
+//! Admissible centres are the points of the region whose clearance is at least the tool's radius, the stock to leave and
+//! a little more. Their outline is cut out of the walls' inner parallels and the sectors about reflex corners. The
+//! opening is all that a tool in an admissible centre covers; its outline is cut out of the outer parallels of the
+//! centres' outline and the sectors about its corners.
+
+use crate::outline::{self, Side};
+use crate::tree::Tree;
+use crate::walls::Walls;
+use pocketry_geom::tolerance::proof::CUSP;
+use pocketry_geom::{Point, Segment};
+use std::f64::consts::PI;
+
+/// The outline of the admissible centres, which lie to the left of every piece.
+pub(crate) struct Centers {
+    pub(crate) pieces: Vec<Segment>,
+    pub(crate) tree: Tree,
+    /// Least clearance.
+    clearance: f64,
+    rounding: f64,
+}
+
+impl Centers {
+    /// The centres with at least this clearance (less the rounding: rather too many than too few).
+    pub(crate) fn new(walls: &Walls, clearance: f64, rounding: f64) -> Self {
+        let clearance = clearance - rounding;
+        let mut curves = Vec::with_capacity(2 * walls.segments.len());
+        for (wall, &next) in walls.segments.iter().zip(&walls.next) {
+            let next = &walls.segments[next as usize];
+            curves.extend(outline::parallel(wall, clearance, Side::Left));
+            curves.extend(corner(walls, wall, next, clearance));
+        }
+        let pieces = outline::exposed(&curves, &walls.tree, clearance - rounding);
+        Self { tree: Tree::new(&pieces), pieces, clearance: clearance - rounding, rounding }
+    }
+
+    /// Whether a point is an admissible centre itself.
+    pub(crate) fn contain(&self, walls: &Walls, p: Point) -> bool {
+        !walls.tree.any_within(p, self.clearance) && walls.contain(p)
+    }
+
+    /// The outline of all that a disc of this radius about admissible centres covers, to the left of every piece.
+    pub(crate) fn opening(&self, radius: f64) -> Opening {
+        let radius = radius - self.rounding;
+        let reach = self.link_reach(radius);
+        let next = outline::links(&self.pieces, reach);
+        let mut curves = Vec::with_capacity(2 * self.pieces.len());
+        for (piece, next) in self.pieces.iter().zip(&next) {
+            curves.extend(outline::parallel(piece, radius, Side::Right));
+            match next {
+                Some(next) => curves.extend(outline::sector(piece, &self.pieces[*next as usize], radius, Side::Right)),
+                None => curves.extend(outline::circle(piece.end(), radius)),
+            }
+        }
+        let pieces = outline::exposed(&curves, &self.tree, radius - self.rounding);
+        let next = outline::links(&pieces, reach);
+        let loops = outline::loops(&pieces, &next);
+        let area = loops.iter().map(|l| l.area).sum::<f64>().max(0.0);
+        let closed = loops.iter().all(|l| l.closed);
+        Opening { pieces, area, closed }
+    }
+
+    /// How far the ends of pieces that belong together may lie apart: a cut at a grazing angle moves by the root of the
+    /// rounding.
+    pub(crate) fn link_reach(&self, radius: f64) -> f64 {
+        8.0 * (2.0 * self.rounding * radius).sqrt() + 8.0 * self.rounding
+    }
+}
+
+/// The opening of a region by a tool.
+pub(crate) struct Opening {
+    pub(crate) pieces: Vec<Segment>,
+    /// mm².
+    pub(crate) area: f64,
+    /// Whether the outline closes, as it must; else the area is a guess.
+    pub(crate) closed: bool,
+}
+
+/// The sector about a reflex corner. At a cusp (a turn of half a circle) the sign of the turn tells nothing: the sector
+/// is kept where it lies inside the region.
+fn corner(walls: &Walls, wall: &Segment, next: &Segment, radius: f64) -> Option<Segment> {
+    let turn = wall.end_tangent().angle_to(next.start_tangent());
+    if turn.abs() < PI - CUSP {
+        return outline::sector(wall, next, radius, Side::Left);
+    }
+    let cap = outline::cap(wall.end(), wall.end_tangent(), radius);
+    walls.contain(cap.at(0.5)).then_some(cap)
+}
