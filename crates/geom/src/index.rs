@@ -5,6 +5,7 @@
 //! Building takes O(n log n); a query visits what its answer needs and little more.
 
 use crate::bbox::BBox;
+use crate::distance;
 use crate::point::Point;
 use crate::ray::{Hit, crossings_left, lies_right};
 use crate::segment::Segment;
@@ -84,8 +85,14 @@ impl SegmentIndex {
         self.least(bound, |node| node.distance(at), |segment| segment.distance(p))
     }
 
+    /// The segment nearest to a line or arc among those closer than `bound`, and its distance; see [`distance::between`].
+    pub fn nearest_to(&self, s: &Segment, bound: f64) -> Option<(usize, f64)> {
+        let own = Oriented::around(std::slice::from_ref(s), self.origin);
+        self.least(bound, |node| node.gap(&own), |segment| distance::between(segment, s))
+    }
+
     /// The segment for which `measure` is least and below `bound`; `floor` must be a lower bound of it for all in a box.
-    pub(crate) fn least(
+    fn least(
         &self,
         bound: f64,
         floor: impl Fn(&Oriented) -> f64,
@@ -177,7 +184,7 @@ impl SegmentIndex {
     }
 
     /// The first crossing of the ray from `p` towards −x with a segment that `admit` lets through.
-    pub fn first_left(&self, p: Point, admit: impl Fn(usize) -> bool) -> Option<(usize, Hit)> {
+    pub fn first_left(&self, p: Point, admit: impl Fn(usize, &Segment) -> bool) -> Option<(usize, Hit)> {
         let mut best: Option<(usize, Hit)> = None;
         let mut stack = if self.is_empty() { vec![] } else { vec![1] };
         let right = p - self.origin;
@@ -192,7 +199,7 @@ impl SegmentIndex {
                 stack.extend([children[1 - nearer], children[nearer]]);
                 continue;
             }
-            for k in self.items(node - self.leaves).filter(|&k| admit(self.order[k] as usize)) {
+            for k in self.items(node - self.leaves).filter(|&k| admit(self.order[k] as usize, &self.segments[k])) {
                 crossings_left(&self.segments[k], p, |hit| {
                     if best.is_none_or(|(b, h)| lies_right((&self.segments[k], hit), (&self.segments[b], h))) {
                         best = Some((k, hit));
@@ -220,11 +227,6 @@ impl SegmentIndex {
             }
         }
         count
-    }
-
-    /// Where the index's own coordinates begin: boxes given to [`Self::least`] are relative to it.
-    pub(crate) const fn origin(&self) -> Point {
-        self.origin
     }
 }
 

@@ -36,7 +36,21 @@ pub enum Contact {
     /// Both touch here in their insides without crossing.
     Tangent(Point),
     /// Both cross here in their insides.
-    Crossing(Point),
+    Crossing {
+        /// Where.
+        at: Point,
+        /// Whether between here and another contact of the two they stay within the lens length of each other.
+        shallow: bool,
+    },
+}
+
+/// How close is close.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Closeness {
+    /// What lies closer than this is one place, mm.
+    pub touch: f64,
+    /// Crossings are shallow where the lens that they bound is no wider than this, mm.
+    pub lens: f64,
 }
 
 /// Points on both segments within the touch length, at most one for each end.
@@ -57,21 +71,37 @@ impl Ends {
     }
 }
 
-/// Calls `found` for every contact of two segments; what lies closer than `touch` is one place.
-pub fn contacts(a: &Segment, b: &Segment, touch: f64, mut found: impl FnMut(Contact)) {
+/// Calls `found` for every contact of two segments.
+pub fn contacts(a: &Segment, b: &Segment, closeness: Closeness, mut found: impl FnMut(Contact)) {
+    let touch = closeness.touch;
     let ends = end_contacts(a, b, touch, &mut found);
     match (a, b) {
         (Segment::Line(l), Segment::Line(m)) => {
             if ends.count == 0 && lines_cross(l.start, l.end, m.start, m.end) {
-                found(Contact::Crossing(crossing_of_lines(l, m)));
+                found(Contact::Crossing { at: crossing_of_lines(l, m), shallow: false });
             }
         }
         (Segment::Line(l), Segment::Arc(c)) | (Segment::Arc(c), Segment::Line(l)) => {
-            report(a, b, line_and_circle(l, c, touch), &ends, touch, &mut found);
+            report(a, b, &line_and_circle(l, c, touch), &ends, closeness, &mut found);
         }
         (Segment::Arc(c), Segment::Arc(d)) => {
-            report(a, b, circle_and_circle(c, d, touch), &ends, touch, &mut found);
+            report(a, b, &circle_and_circle(c, d, touch), &ends, closeness, &mut found);
         }
+    }
+}
+
+/// Whether two segments cross or touch in their insides, to rounding.
+pub fn meet(a: &Segment, b: &Segment) -> bool {
+    let on_both = |p: Point| lies_inside(a, p) && lies_inside(b, p);
+    let common = match (a, b) {
+        (Segment::Line(l), Segment::Line(m)) => return lines_cross(l.start, l.end, m.start, m.end),
+        (Segment::Line(l), Segment::Arc(c)) | (Segment::Arc(c), Segment::Line(l)) => line_and_circle(l, c, 0.0),
+        (Segment::Arc(c), Segment::Arc(d)) => circle_and_circle(c, d, 0.0),
+    };
+    match common {
+        Common::None => false,
+        Common::One(p) => on_both(p),
+        Common::Two(p, q) => on_both(p) || on_both(q),
     }
 }
 
@@ -114,29 +144,48 @@ enum Common {
     Two(Point, Point),
 }
 
-fn report(a: &Segment, b: &Segment, common: Common, ends: &Ends, touch: f64, found: &mut impl FnMut(Contact)) {
+fn report(
+    a: &Segment,
+    b: &Segment,
+    common: &Common,
+    ends: &Ends,
+    closeness: Closeness,
+    found: &mut impl FnMut(Contact),
+) {
     let counts = |p: Point| {
-        let apart = |e: Point| !stays_close(a, b, p, e, touch) && !stays_close(b, a, p, e, touch);
+        let apart = |e: Point| !stay_close(a, b, p, e, closeness.touch);
         lies_inside(a, p) && lies_inside(b, p) && ends.iter().all(apart)
     };
-    match common {
+    match *common {
         Common::None => {}
         Common::One(p) => {
             if counts(p) {
                 found(Contact::Tangent(p));
             }
         }
-        Common::Two(p, q) => [p, q].into_iter().filter(|&p| counts(p)).for_each(|p| found(Contact::Crossing(p))),
+        Common::Two(p, q) => {
+            let crossings = [p, q].map(|p| Some(p).filter(|&p| counts(p)));
+            for (k, at) in (0..).zip(crossings).filter_map(|(k, p)| Some((k, p?))) {
+                let mut others = ends.iter().chain(crossings[1 - k]);
+                let shallow = others.any(|other| stay_close(a, b, at, other, closeness.lens));
+                found(Contact::Crossing { at, shallow });
+            }
+        }
     }
 }
 
-/// Whether `a` stays within touching distance of `b` between two points on both.
-fn stays_close(a: &Segment, b: &Segment, p: Point, q: Point, touch: f64) -> bool {
+/// Whether the two stay within reach of each other between two points on both.
+fn stay_close(a: &Segment, b: &Segment, p: Point, q: Point, reach: f64) -> bool {
+    p.distance(q) <= 4.0 * reach || leads_along(a, b, p, q, reach) || leads_along(b, a, p, q, reach)
+}
+
+/// Whether the middle of `a` between two points lies within reach of `b`.
+fn leads_along(a: &Segment, b: &Segment, p: Point, q: Point, reach: f64) -> bool {
     let middle = match a {
         Segment::Line(_) => p.midpoint(q),
         Segment::Arc(arc) => middle_of_arc(arc, p, q),
     };
-    p.distance(q) <= 4.0 * touch || b.distance(middle) <= 2.0 * touch
+    b.distance(middle) <= 2.0 * reach
 }
 
 /// The middle of the shorter way from `p` to `q` on the arc's circle; accurate for any radius.
@@ -224,7 +273,7 @@ mod tests {
 
     fn all(a: &Segment, b: &Segment) -> Vec<Contact> {
         let mut out = Vec::new();
-        contacts(a, b, 1e-9, |c| out.push(c));
+        contacts(a, b, Closeness { touch: 1e-9, lens: 1e-3 }, |c| out.push(c));
         out
     }
 
@@ -240,7 +289,16 @@ mod tests {
             assert!(matches!(found[..], [Contact::Tangent(p)] if p.distance(point(0.0, 0.0)) < 1e-8), "{found:?}");
         }
         assert!(all(&Segment::line(point(-30.0, -1e-8), point(40.0, -1e-8)), &a).is_empty());
-        assert_eq!(all(&Segment::line(point(-30.0, 1e-8), point(40.0, 1e-8)), &a).len(), 2);
+        let shallow = all(&Segment::line(point(-30.0, 1e-8), point(40.0, 1e-8)), &a);
+        assert!(matches!(
+            shallow[..],
+            [Contact::Crossing { shallow: true, .. }, Contact::Crossing { shallow: true, .. }]
+        ));
+        let deep = all(&Segment::line(point(-30.0, 0.1), point(40.0, 0.1)), &a);
+        assert!(matches!(
+            deep[..],
+            [Contact::Crossing { shallow: false, .. }, Contact::Crossing { shallow: false, .. }]
+        ));
     }
 
     #[test]
@@ -263,7 +321,7 @@ mod tests {
         let crossing = all(&big, &arc(45.0, -10.0, 45.0, 10.0, 1.0));
         assert_eq!(crossing.len(), 2);
         for c in crossing {
-            assert!(matches!(c, Contact::Crossing(p) if (p.to_vec().length() - 50.0).abs() < 1e-12));
+            assert!(matches!(c, Contact::Crossing { at: p, .. } if (p.to_vec().length() - 50.0).abs() < 1e-12));
         }
     }
 
@@ -271,7 +329,10 @@ mod tests {
     fn nearly_flat_arcs_cross_where_they_should() {
         let flat = arc(0.0, 0.0, 100.0, 0.0, 1e-8);
         let found = all(&flat, &Segment::line(point(30.0, -1.0), point(30.0, 1.0)));
-        assert!(matches!(found[..], [Contact::Crossing(p)] if p.distance(point(30.0, 0.0)) < 1e-6), "{found:?}");
+        assert!(
+            matches!(found[..], [Contact::Crossing { at: p, .. }] if p.distance(point(30.0, 0.0)) < 1e-6),
+            "{found:?}"
+        );
     }
 
     #[test]

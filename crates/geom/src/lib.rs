@@ -4,12 +4,16 @@
 
 mod around;
 pub mod bbox;
+pub mod chain;
 pub mod contour;
+pub mod distance;
 pub mod index;
 pub mod intersect;
 pub mod nesting;
+pub mod offset;
 pub mod point;
 pub mod predicates;
+pub mod quadrature;
 pub mod ray;
 pub mod region;
 pub mod repair;

@@ -12,21 +12,22 @@ use crate::segment::Segment;
 /// From an island's leftmost point the first contour to the left bounds the same piece of the interior: it is either the
 /// outer one or an island that lies further left. O(n log n) in all, at any depth.
 pub fn parents(contours: &[Contour]) -> Vec<Option<u32>> {
-    let outer: Vec<bool> = contours.iter().map(|c| c.area() > 0.0).collect();
-    if outer.iter().all(|&o| o) {
-        return vec![None; contours.len()];
-    }
     let segments: Vec<Segment> = contours.iter().flat_map(|c| c.segments.iter().copied()).collect();
     let owners: Vec<u32> = (0..).zip(contours).flat_map(|(k, c)| c.segments.iter().map(move |_| k)).collect();
-    let index = SegmentIndex::new(&segments);
+    parents_by(contours, &SegmentIndex::new(&segments), |k| owners[k])
+}
+
+/// The same with an index over the contours' segments, in any order and direction, whose owners are known.
+pub(crate) fn parents_by(contours: &[Contour], index: &SegmentIndex, owner: impl Fn(usize) -> u32) -> Vec<Option<u32>> {
+    let outer: Vec<bool> = contours.iter().map(|c| c.area() > 0.0).collect();
     let mut islands: Vec<(Point, usize)> =
         (0..contours.len()).filter(|&k| !outer[k]).map(|k| (leftmost_of(&contours[k]), k)).collect();
     islands.sort_by(|a, b| a.0.x.total_cmp(&b.0.x).then(a.1.cmp(&b.1)));
     let mut parents = vec![None; contours.len()];
     for (at, island) in islands {
-        let passes = |k: usize| owners[k] != island as u32 && segments[k].start() != at && segments[k].end() != at;
+        let passes = |k: usize, s: &Segment| owner(k) != island as u32 && s.start() != at && s.end() != at;
         if let Some((k, _)) = index.first_left(at, passes) {
-            let other = owners[k];
+            let other = owner(k);
             parents[island] = if outer[other as usize] { Some(other) } else { parents[other as usize] };
         }
     }

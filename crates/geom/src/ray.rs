@@ -76,8 +76,8 @@ fn arc_crossings(a: &Arc, p: Point, found: &mut impl FnMut(Hit)) {
         return;
     }
     let mut from = (a.start.y, Some(End::Start));
-    let mut on_right = starts_on_right(a);
-    for _ in 0..extremes_passed(a) {
+    let (mut on_right, passes) = halves(a);
+    for _ in 0..passes {
         let rises = on_right == a.ccw;
         let to = (if rises { a.center.y + a.radius } else { a.center.y - a.radius }, None);
         piece_crossing(a, from, to, on_right, p, found);
@@ -114,20 +114,19 @@ fn piece_crossing(
     }
 }
 
-/// How many of its circle's top and bottom lie in the arc.
-fn extremes_passed(a: &Arc) -> usize {
-    usize::from(a.spans(vec2(0.0, 1.0))) + usize::from(a.spans(vec2(0.0, -1.0)))
-}
-
-/// Whether the arc's first monotone piece lies in the right half of its circle.
-fn starts_on_right(a: &Arc) -> bool {
-    let (top, bottom) = (a.spans(vec2(0.0, 1.0)), a.spans(vec2(0.0, -1.0)));
-    match (top, bottom) {
-        (true, false) => a.ccw,
-        (false, true) => !a.ccw,
-        (false, false) => a.start.x + a.end.x > 2.0 * a.center.x,
-        (true, true) => a.start.x > a.center.x || (a.start.x == a.center.x && (a.start.y < a.center.y) == a.ccw),
-    }
+/// Whether the arc begins in the right half of its circle, and how many times it passes the circle's top or bottom
+/// on its way (ends that lie there don't count). Decided by signs of exact differences.
+fn halves(a: &Arc) -> (bool, usize) {
+    let (s, e) = (a.start - a.center, a.end - a.center);
+    let starts_right = s.x > 0.0 || (s.x == 0.0 && (s.y < 0.0) == a.ccw);
+    let ends_right = e.x > 0.0 || (e.x == 0.0 && (e.y > 0.0) == a.ccw);
+    let turn = s.cross(e);
+    let passes = match (starts_right == ends_right, turn == 0.0 || (turn > 0.0) == a.ccw) {
+        (false, _) => 1,
+        (true, true) => 0,
+        (true, false) => 2,
+    };
+    (starts_right, passes)
 }
 
 /// The point of the segment with the smallest abscissa.
@@ -147,7 +146,9 @@ mod tests {
 
     fn count(segments: &[Segment], p: Point) -> usize {
         let mut n = 0;
-        segments.iter().for_each(|s| crossings_left(s, p, |_| n += 1));
+        for s in segments {
+            crossings_left(s, p, |_| n += 1);
+        }
         n
     }
 
@@ -166,6 +167,18 @@ mod tests {
                         assert_eq!(count(&s, point(0.0, y)) % 2, 1, "{k} {y}");
                     }
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn a_half_circle_between_its_extremes_is_crossed_once() {
+        let (top, bottom) = (point(3.125, 53.125), point(3.125, 46.875));
+        for (arc, x) in [(Segment::from_bulge(top, bottom, 1.0), 0.0), (Segment::from_bulge(bottom, top, 1.0), 6.25)] {
+            for s in [arc, arc.reversed()] {
+                let mut hits = Vec::new();
+                crossings_left(&s, point(12.5, 50.0), |h| hits.push(h.x));
+                assert_eq!(hits, [x]);
             }
         }
     }

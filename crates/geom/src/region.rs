@@ -2,6 +2,8 @@
 
 use crate::bbox::BBox;
 use crate::contour::Contour;
+use crate::point::Point;
+use crate::ray::crossings_left;
 use crate::segment::Segment;
 
 /// A bounded set of the plane, the interior of its contours: outer contours run counter-clockwise, islands clockwise,
@@ -75,6 +77,14 @@ impl Region {
     /// Area, mm².
     pub fn area(&self) -> f64 {
         self.contours.iter().map(Contour::area).sum()
+    }
+
+    /// Whether a point lies in the region (even-odd); a point of the boundary itself may count either way. All segments
+    /// are looked at: see [`crate::distance::Boundary`] for many questions.
+    pub fn contains(&self, p: Point) -> bool {
+        let mut crossings = 0;
+        self.segments().for_each(|s| crossings_left(s, p, |_| crossings += 1));
+        crossings % 2 == 1
     }
 
     /// Smallest axis-parallel box.

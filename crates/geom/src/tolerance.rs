@@ -12,39 +12,30 @@ pub const JOIN: f64 = 0.011;
 /// How far an arc that replaces a free-form curve may lie from it, mm.
 pub const FIT: f64 = 0.001;
 
-/// Tolerances of the skeleton's construction, *relative*: it computes in a frame scaled to size 0.5 … 1.
-pub mod skeleton {
-    /// A disk is empty if no site reaches deeper into it than this. Some ten times the rounding of a distance.
-    pub const EMPTY: f64 = 1e-12;
-    /// Residual of a vertex at which no refinement can gain any more: a few units of rounding.
-    pub const EXACT: f64 = 1e-15;
-    /// Residual up to which a closed-form vertex is believed; above it the bracketed search takes over.
-    pub const RESIDUAL: f64 = 3e-13;
-    /// How far outside its element's extent the foot of a vertex may fall: feet are the worst-conditioned
-    /// numbers (an error of the clearance by `e` moves a foot by `sqrt(e)` at nearly tangent contacts).
-    pub const FOOT: f64 = 1e-9;
-    /// Contacts nearer to one another than this count as being in order around the disk.
-    pub const ORDER: f64 = 1e-18;
-    /// Newton steps on the three gaps of a vertex.
-    pub const NEWTON_STEPS: usize = 2;
-    /// Turn between two lines, radians, below which their joint is smooth: the clearance on its normal is then off by
-    /// at most an eighth of the square.
-    pub const SMOOTH_LINES: f64 = 1e-5;
-    /// Turn, radians, below which a joint with an arc is smooth.
-    pub const SMOOTH_ARCS: f64 = 1e-9;
-    /// Turn from a cusp of angle 0 or 2π, radians, below which curvature and not direction tells which it is.
-    pub const CUSP: f64 = 1e-9;
-    /// Two disks nearer to one another than this are one vertex of higher degree, verified already.
-    pub const SAME_DISK: f64 = 1e-14;
-    /// Where the growth of a disk from a contact starts, and where it is given up: nothing is larger than the frame.
-    pub const FIRST_PROBE: f64 = 1.0 / 1024.0;
-    /// No disk inside the region is as large as this.
-    pub const LARGEST_DISK: f64 = 2.0;
-    /// Corrections of a guess before the bracketed search takes over; two or three are usual.
-    pub const GUESSES: usize = 200;
-    /// Width, of an interval from 0 to 1, at which a bisection has converged.
-    pub const BISECTION: f64 = 1e-18;
-}
+/// Share of the fit tolerance within which a curve counts as straight, or two arcs as one: a line or an arc in its
+/// place then costs nothing that the tolerance would notice.
+pub const STRAIGHT_SHARE: f64 = 1e-3;
+
+/// Control points of a curve nearer than this share of its extent are one place: rounding, not a direction.
+pub const COINCIDENT_CONTROL: f64 = 1e-9;
+
+/// A joint of curves that turns by more than this is a corner that the drawing means, radians; less is a smooth joint
+/// written with few decimals.
+pub const KINK: f64 = 1e-3;
+
+/// An ellipse whose axes differ by no more than this share of their length, or are no further from square, is a
+/// circle: ten times what a chain of rotations and scales in double precision leaves.
+pub const CIRCULAR: f64 = 1e-9;
+
+/// Angles of a drawing nearer than this are the same, radians: the last decimals that CAD systems write.
+pub const ANGLE: f64 = 1e-9;
+
+/// The steepest bulge that a drawing may have: the arc then lacks less than 1/400 of a degree of a full turn and
+/// its radius is a guess.
+pub const LARGEST_BULGE: f64 = 1e5;
+
+/// How far a drawing's normal may lean from the z axis, as the sine of the angle, and still be flat.
+pub const FLAT_NORMAL: f64 = 1e-6;
 
 /// Ends, crossings and tangencies closer than this are one point: a touch. *Relative.* Ten times what the last digits of
 /// polyline bulges and of rotated coordinates cost, and a tenth of the narrowest gap that drawings are known to mean.
@@ -53,9 +44,10 @@ pub const TOUCH: f64 = 1e-11;
 /// Arcs lie on one circle where centre and radius agree to this; they then share both exactly. *Relative.*
 pub const SAME_CIRCLE: f64 = 1e-9;
 
-/// Two contours that nowhere lie farther apart than this are one curve drawn twice. *Relative*, and never above the join
-/// tolerance: a channel as narrow holds no tool, so nothing that can be milled is lost.
-pub const SAME_CONTOUR: f64 = 1e-5;
+/// Two contours that nowhere lie farther apart than this are one curve drawn twice, and a sliver no wider than this
+/// between two curves that cross is what rounding made of a tangency. *Relative*, and never above the join tolerance:
+/// a channel as narrow holds no tool, so nothing that can be milled is lost.
+pub const NARROW: f64 = 1e-5;
 
 /// Directions that differ by less are compared by where their curves lead, rad: a touch point known to [`TOUCH`] leaves
 /// the tangent of a curve there uncertain by the square root of it at worst.
@@ -76,6 +68,70 @@ pub fn touch_length(bbox: crate::BBox) -> f64 {
     let largest = [bbox.min.x, bbox.min.y, bbox.max.x, bbox.max.y].into_iter().fold(0.0, |m: f64, c| m.max(c.abs()));
     (TOUCH * bbox.size()).max(COORDINATE_ROUNDOFF * largest)
 }
+
+/// How far, *relative*, the skeleton's check lets a clearance lie from the distance to the boundary: offsets inherit
+/// this error, and it is a tenth of what the exact offset engine promises.
+pub const CHECK_CLEARANCE: f64 = 1e-8;
+
+/// Vertices farther off than this, *relative*, are counted by the skeleton's check: what well-conditioned input gives,
+/// with three digits to spare above rounding.
+pub const CHECK_TIGHT: f64 = 1e-11;
+
+/// How far, *relative*, a foot may miss its site's extent or run backwards in the skeleton's check. Clearance feels
+/// only the square of such a slip.
+pub const CHECK_FOOT: f64 = 1e-8;
+
+/// By how much, as a part of it, the areas of the Voronoi cells may miss the region's in the skeleton's check.
+pub const CHECK_AREA: f64 = 1e-9;
+
+/// The skeleton's check takes joints that turn by no more than this for smooth, radians: treating a joint of turn δ
+/// so changes a clearance r by about rδ²/8, which is below 1e-10 r.
+pub const CHECK_SMOOTH_TURN: f64 = 2e-5;
+
+/// Nearer than this, *relative*, to an element's centre of curvature the skeleton's check takes the foot there as
+/// undefined: an error of a rounding unit would turn it by more than 1e-6.
+pub const CHECK_FLOATING: f64 = 1e-9;
+
+/// Relative error of numerical integration: a hundred rounding units.
+pub const QUADRATURE: f64 = 1e-14;
+
+/// Offset segments shorter than this are dropped and their ends merged, *relative*: some thousand times the rounding
+/// of coordinates, so that what goes is noise, and a thousandth of what an offset may be off.
+pub const OFFSET_DROP: f64 = 1e-12;
+
+/// Skeleton edges whose clearance changes by no more than this are constant, *relative*: above the rounding of
+/// clearances, below any taper that a drawing means.
+pub const PLATEAU: f64 = 1e-11;
+
+/// One minus the rate at which clearance grows along an edge, below which the edge runs straight away from its sites
+/// (a spoke, or the bisector at a joint that is smooth but for rounding).
+pub const SPOKE_RATE: f64 = 1e-9;
+
+/// Squared half sum or half difference of two unit gradients below which a Newton step along it says nothing.
+pub const GRADIENT: f64 = 1e-14;
+
+/// A crossing whose clearance is off by more than this is sought again by bisection, *relative*: a hundredth of what
+/// an offset may be off.
+pub const CROSSING: f64 = 1e-9;
+
+/// A tool may enter a channel that is narrower than it by twice this, mm: a twentieth of [`GOUGE`], and more than the
+/// rounding of drawings with four decimals moves a wall.
+pub const FIT_SLACK: f64 = 1e-4;
+
+/// [`FIT_SLACK`] as a share of the offset distance, for tools so small that it would count.
+pub const FIT_SLACK_SHARE: f64 = 1e-4;
+
+/// Ends of degenerate paths shorter than this share of the offset distance are left out: the disk at their root covers
+/// their disks but for slivers thinner than what may stay uncut.
+pub const SPUR_SHARE: f64 = 1e-3;
+
+/// How far the end of a straight step towards a wall may miss the loop that it leads to, *relative*: what offsets may be
+/// off, ten times over.
+pub const LANDING: f64 = 1e-6;
+
+/// A landing this near to the end of a loop's segment is moved there, *relative*: it would leave a piece shorter than what
+/// offsets may be off, of which an arc could turn round.
+pub const LANDING_SNAP: f64 = 1e-8;
 
 /// Tolerances of the proof of a written program.
 pub mod proof {
@@ -109,4 +165,89 @@ pub mod proof {
 
     /// Two curves that turn back on one another within this angle make a cusp, where the sign of the turn tells nothing.
     pub const CUSP: f64 = 1e-6;
+}
+
+/// How far the start and end radii of a planned arc may differ, mm: a tenth of what control units check, so that
+/// rounding has room.
+pub const ARC_RADII: f64 = 1e-4;
+
+/// The same for parts far from the origin: fraction of the largest coordinate, some thousand times its rounding.
+pub const ARC_RADII_RELATIVE: f64 = 1e-12;
+
+/// Arcs of a smaller radius are written as chords, mm: control units refuse arcs whose radius is about their own
+/// tolerance (LinuxCNC: 0.00127 mm by default, often set to 0.002 mm).
+pub const ARC_RADIUS_MIN: f64 = 0.005;
+
+/// Arcs of a smaller sweep are written as chords, radians: LinuxCNC takes what sweeps less than 1e-6 for a full turn.
+pub const ARC_SWEEP_MIN: f64 = 1e-5;
+
+/// How far the start and end radii of a *written* arc may differ, mm: half of the strictest setting in use.
+pub const ARC_RADII_WRITTEN: f64 = 0.001;
+
+/// Share of the gouge budget that one step of the written decimals may take: rounding moves a point of the path by
+/// up to three steps (end, centre, radius), which leaves more than half of the budget.
+pub const ROUNDING_SHARE: f64 = 0.15;
+
+/// A program may gouge by no more than this part of the tool's radius, where that is less than [`GOUGE`].
+pub const GOUGE_PER_RADIUS: f64 = 0.01;
+
+/// Material counts as left uncut where the tool stays farther from it than this part of its radius (or [`GOUGE`], where that is more).
+pub const COVER_PER_RADIUS: f64 = 2e-4;
+
+/// Rounding of a distance computed by the proof from coordinates, as a part of the largest coordinate: some 250 units in
+/// the last place, several times what its longest chain of operations loses.
+pub const PROOF_ROUNDING: f64 = 256.0 * f64::EPSILON;
+
+/// Arcs that lie nearer than this part of the gouge limit to their chords are judged as their chords (and the limit tightened).
+pub const PROOF_FLATNESS: f64 = 1e-3;
+
+/// A turn between two curves below this angle opens no sector between their parallels: at a radius of 1 m it would be 1 nm wide.
+pub const SMOOTH_JOINT: f64 = 1e-9;
+
+/// The control takes an arc of less than this angle for the full turn.
+pub const FULL_TURN: f64 = 1e-6;
+
+/// Heights nearer than this are the same height, mm.
+pub const SAME_HEIGHT: f64 = 1e-6;
+
+/// Two curves that turn back on one another within this angle make a cusp, where the sign of the turn tells nothing.
+pub const CUSP: f64 = 1e-6;
+
+/// Tolerances of the skeleton's construction, *relative*: it computes in a frame scaled to size 0.5 … 1.
+pub mod skeleton {
+    /// A disk is empty if no site reaches deeper into it than this. Some ten times the rounding of a distance.
+    pub const EMPTY: f64 = 1e-12;
+    /// Residual of a vertex at which no refinement can gain any more: a few units of rounding.
+    pub const EXACT: f64 = 1e-15;
+    /// Residual up to which a closed-form vertex is believed; above it the bracketed search takes over.
+    pub const RESIDUAL: f64 = 3e-13;
+    /// How far outside its element's extent the foot of a vertex may fall: feet are the worst-conditioned
+    /// numbers (an error of the clearance by `e` moves a foot by `sqrt(e)` at nearly tangent contacts).
+    pub const FOOT: f64 = 1e-9;
+    /// The same for vertices in closed form; where their feet are worse, the bracketed search looks again.
+    pub const EXTENT: f64 = 1e-11;
+    /// Contacts nearer to one another than this count as being in order around the disk.
+    pub const ORDER: f64 = 1e-18;
+    /// Newton steps on the three gaps of a vertex.
+    pub const NEWTON_STEPS: usize = 2;
+    /// How far a disk on the normal of a joint that counts as smooth may miss one of its curves.
+    pub const SMOOTH_ERROR: f64 = 1e-12;
+    /// Turn, radians, below which every joint is smooth: the rounding of directions.
+    pub const SMOOTH_LEAST: f64 = 1e-9;
+    /// Turn, radians, above which none is.
+    pub const SMOOTH_MOST: f64 = 1e-5;
+    /// Turn from a cusp of angle 0 or 2π, radians, below which curvature and not direction tells which it is.
+    pub const CUSP: f64 = 1e-9;
+    /// Two disks nearer to one another than this are one vertex of higher degree, verified already.
+    pub const SAME_DISK: f64 = 1e-14;
+    /// Where the growth of a disk from a contact starts, and where it is given up: nothing is larger than the frame.
+    pub const FIRST_PROBE: f64 = 1.0 / 1024.0;
+    /// No disk inside the region is as large as this.
+    pub const LARGEST_DISK: f64 = 2.0;
+    /// Steps along the wall from an element to the one that owns a contact: reflex vertex and cut pieces between.
+    pub const HOPS: usize = 6;
+    /// Corrections of a guess before the bracketed search takes over; two or three are usual.
+    pub const GUESSES: usize = 200;
+    /// Width, of an interval from 0 to 1, at which a bisection has converged.
+    pub const BISECTION: f64 = 1e-18;
 }

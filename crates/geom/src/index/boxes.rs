@@ -62,7 +62,7 @@ impl Oriented {
     }
 
     fn is_empty(&self) -> bool {
-        !(self.low.x <= self.high.x)
+        self.low.x > self.high.x
     }
 
     fn local(&self, v: Vec2) -> Vec2 {

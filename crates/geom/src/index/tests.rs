@@ -52,10 +52,12 @@ proptest! {
     ) {
         let (index, p) = (SegmentIndex::new(&segments), point(x, y));
         let mut hits = Vec::new();
-        segments.iter().for_each(|s| crossings_left(s, p, |h| hits.push(h.x)));
+        for s in &segments {
+            crossings_left(s, p, |h| hits.push(h.x));
+        }
         prop_assert_eq!(index.crossings_left(p), hits.len());
         let first = hits.into_iter().reduce(f64::max);
-        prop_assert_eq!(index.first_left(p, |_| true).map(|(_, h)| h.x), first);
+        prop_assert_eq!(index.first_left(p, |_, _| true).map(|(_, h)| h.x), first);
     }
 }
 
@@ -63,6 +65,6 @@ proptest! {
 fn an_empty_index_answers() {
     let index = SegmentIndex::new(&[]);
     assert!(index.is_empty() && index.nearest(Point::ORIGIN).is_none());
-    assert!(index.first_left(Point::ORIGIN, |_| true).is_none());
+    assert!(index.first_left(Point::ORIGIN, |_, _| true).is_none());
     assert_eq!(index.visit_pairs(1.0, |_, _| ControlFlow::Break(())), ControlFlow::Continue(()));
 }

@@ -4,8 +4,10 @@ use super::Edge;
 use super::clean::with_ends;
 use super::contacts::Contacts;
 use super::report::Note;
+use crate::intersect::Closeness;
 use crate::point::Point;
 use crate::segment::Segment;
+use std::collections::HashSet;
 
 /// A piece of an edge between two vertices.
 #[derive(Clone, Copy, Debug)]
@@ -55,7 +57,7 @@ pub(super) fn pieces(
     edges: &[Edge],
     next: &[u32],
     contacts: Contacts,
-    touch: f64,
+    closeness: Closeness,
     notes: &mut Vec<Note>,
 ) -> (Vec<Piece>, usize) {
     let mut points: Vec<Point> = edges.iter().map(|e| e.segment.start()).collect();
@@ -63,7 +65,7 @@ pub(super) fn pieces(
     let parent = (0..points.len() as u32).collect();
     let mut vertices = Vertices { points, parent };
     contacts.merges.iter().for_each(|&(a, b)| vertices.merge(a, b));
-    let cuts = sorted_cuts(edges, next, contacts.cuts, &mut vertices, touch);
+    let cuts = sorted_cuts(edges, next, contacts.cuts, &mut vertices, closeness.touch);
     let mut touched = vec![false; edges.len()];
     contacts.touched.iter().for_each(|&e| touched[e as usize] = true);
     let mut pieces = Vec::with_capacity(edges.len() + cuts.len());
@@ -83,7 +85,8 @@ pub(super) fn pieces(
             suspects.extend(first..pieces.len());
         }
     }
-    cancel(&mut pieces, suspects, touch, notes);
+    let crossings: HashSet<u32> = contacts.crossings.iter().map(|&v| vertices.find(v)).collect();
+    cancel(&mut pieces, suspects, &crossings, closeness, notes);
     (pieces, vertices.points.len())
 }
 
@@ -148,8 +151,14 @@ fn add_piece(out: &mut Vec<Piece>, vertices: &mut Vertices, segment: Segment, co
     }
 }
 
-/// Leaves out pieces that cover each other, two by two (even-odd), and says so.
-fn cancel(pieces: &mut Vec<Piece>, mut suspects: Vec<usize>, touch: f64, notes: &mut Vec<Note>) {
+/// Leaves out pieces that cover each other or bound a narrow lens at a crossing, two by two (even-odd), and says so.
+fn cancel(
+    pieces: &mut Vec<Piece>,
+    mut suspects: Vec<usize>,
+    crossings: &HashSet<u32>,
+    closeness: Closeness,
+    notes: &mut Vec<Note>,
+) {
     let ends = |p: &Piece| (p.from.min(p.to), p.from.max(p.to));
     suspects.sort_by_key(|&k| (ends(&pieces[k]), k));
     let mut gone = vec![false; pieces.len()];
@@ -158,16 +167,20 @@ fn cancel(pieces: &mut Vec<Piece>, mut suspects: Vec<usize>, touch: f64, notes: 
             continue;
         }
         let middle = pieces[i].segment.at(0.5);
+        let is_lens = crossings.contains(&pieces[i].from) || crossings.contains(&pieces[i].to);
+        let reach = if is_lens { 2.0 * closeness.lens } else { 4.0 * closeness.touch };
         let twin = suspects[n + 1..]
             .iter()
             .copied()
             .take_while(|&j| ends(&pieces[j]) == ends(&pieces[i]))
-            .find(|&j| !gone[j] && pieces[j].segment.distance(middle) <= 4.0 * touch);
+            .find(|&j| !gone[j] && pieces[j].segment.distance(middle) <= reach);
         if let Some(j) = twin {
             gone[i] = true;
             gone[j] = true;
             let (first, second, at) = (pieces[i].contour, pieces[j].contour, pieces[i].segment.start());
-            notes.push(if first == second {
+            notes.push(if is_lens {
+                Note::Overlap { first, second, at, length: pieces[i].segment.length() }
+            } else if first == second {
                 Note::Spike { contour: first, at }
             } else {
                 Note::Shared { first, second, at }

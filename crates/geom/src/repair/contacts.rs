@@ -3,7 +3,7 @@
 use super::Edge;
 use super::report::RegionError;
 use crate::index::SegmentIndex;
-use crate::intersect::{Contact, Position, contacts};
+use crate::intersect::{Closeness, Contact, Position, contacts};
 use crate::point::Point;
 use crate::segment::Segment;
 use std::ops::ControlFlow;
@@ -12,37 +12,42 @@ use std::ops::ControlFlow;
 const MOST_FOR_EACH_EDGE: usize = 64;
 
 /// Where edges meet. Vertices are named by the edge that starts there; names from the number of edges on are those of
-/// `places`, tangencies inside edges.
+/// `places`, inside edges.
 #[derive(Debug, Default)]
 pub(super) struct Contacts {
     /// Vertices that are one point.
     pub(super) merges: Vec<(u32, u32)>,
     /// An edge, and a vertex that lies on it.
     pub(super) cuts: Vec<(u32, u32)>,
-    /// Tangencies.
+    /// Tangencies and shallow crossings.
     pub(super) places: Vec<Point>,
+    /// Those of `places` that are crossings: the lenses between them are to be closed.
+    pub(super) crossings: Vec<u32>,
     /// Edges that may cover one another.
     pub(super) touched: Vec<u32>,
 }
 
 /// All contacts beyond those of neighbours at their common vertex.
-pub(super) fn find(edges: &[Edge], next: &[u32], touch: f64) -> Result<Contacts, RegionError> {
-    let segments: Vec<Segment> = edges.iter().map(|e| e.segment).collect();
-    let index = SegmentIndex::new(&segments);
+pub(super) fn find(
+    edges: &[Edge],
+    next: &[u32],
+    index: &SegmentIndex,
+    closeness: Closeness,
+) -> Result<Contacts, RegionError> {
     let mut seen = Contacts::default();
     let most = MOST_FOR_EACH_EDGE * (edges.len() + MOST_FOR_EACH_EDGE);
-    let error = index.visit_pairs(touch, |i, j| {
+    let error = index.visit_pairs(closeness.touch, |i, j| {
         let (i, j) = (i.min(j), i.max(j));
-        if runs_on(&segments, next, i, j) || runs_on(&segments, next, j, i) {
+        if runs_on(edges, next, i, j) || runs_on(edges, next, j, i) {
             return ControlFlow::Continue(());
         }
         let mut crossing = None;
-        contacts(&segments[i], &segments[j], touch, |c| match c {
-            Contact::Crossing(at) => crossing = Some(at),
+        contacts(&edges[i].segment, &edges[j].segment, closeness, |c| match c {
+            Contact::Crossing { at, shallow: false } => crossing = Some(at),
             c => seen.note(c, i as u32, j as u32, next, edges.len()),
         });
         if crossing.is_none() && seen.touched.len() > most {
-            crossing = Some(segments[i].start());
+            crossing = Some(edges[i].segment.start());
         }
         match crossing {
             Some(at) => {
@@ -58,14 +63,19 @@ pub(super) fn find(edges: &[Edge], next: &[u32], touch: f64) -> Result<Contacts,
 }
 
 /// Whether two straight edges follow one another without turning back: they meet only at their common vertex.
-fn runs_on(segments: &[Segment], next: &[u32], i: usize, j: usize) -> bool {
-    match (&segments[i], &segments[j]) {
+fn runs_on(edges: &[Edge], next: &[u32], i: usize, j: usize) -> bool {
+    match (&edges[i].segment, &edges[j].segment) {
         (Segment::Line(l), Segment::Line(m)) => next[i] as usize == j && (l.end - l.start).dot(m.end - m.start) >= 0.0,
         _ => false,
     }
 }
 
 impl Contacts {
+    /// Whether edges meet nowhere but at common vertices of neighbours.
+    pub(super) fn is_empty(&self) -> bool {
+        self.touched.is_empty()
+    }
+
     fn note(&mut self, contact: Contact, i: u32, j: u32, next: &[u32], count: usize) {
         let vertex = |edge: u32, start: bool| if start { edge } else { next[edge as usize] };
         match contact {
@@ -78,12 +88,14 @@ impl Contacts {
                 self.merges.push((v, w));
             }
             Contact::SecondEnd { start } => self.cuts.push((i, vertex(j, start))),
-            Contact::Tangent(at) => {
+            Contact::Tangent(at) | Contact::Crossing { at, .. } => {
                 let place = (count + self.places.len()) as u32;
                 self.places.push(at);
                 self.cuts.extend([(i, place), (j, place)]);
+                if !matches!(contact, Contact::Tangent(_)) {
+                    self.crossings.push(place);
+                }
             }
-            Contact::Crossing(_) => return,
         }
         self.touched.extend([i, j]);
     }

@@ -1,20 +1,12 @@
 //! Loops that enclose nothing, and loops drawn twice.
 
-use super::RepairOptions;
 use super::report::Note;
 use crate::bbox::BBox;
 use crate::contour::Contour;
 use crate::index::SegmentIndex;
-use crate::tolerance::SAME_CONTOUR;
 
-/// Drops every loop that another one repeats, however split, started or directed.
-pub(super) fn drop_repeated(
-    loops: &mut Vec<(u32, Contour)>,
-    options: &RepairOptions,
-    bbox: BBox,
-    notes: &mut Vec<Note>,
-) {
-    let tolerance = options.join_tolerance.min(SAME_CONTOUR * bbox.size());
+/// Drops every loop that another one repeats within the tolerance, however split, started or directed.
+pub(super) fn drop_repeated(loops: &mut Vec<(u32, Contour)>, tolerance: f64, notes: &mut Vec<Note>) {
     let boxes: Vec<BBox> = loops.iter().map(|(_, c)| c.bbox()).collect();
     let mut order: Vec<usize> = (0..loops.len()).collect();
     order.sort_by(|&a, &b| boxes[a].min.x.total_cmp(&boxes[b].min.x).then(a.cmp(&b)));
@@ -47,8 +39,9 @@ fn corners_agree(a: BBox, b: BBox, tolerance: f64) -> bool {
 fn cover(a: &Contour, b: &Contour, tolerance: f64) -> bool {
     let lies_on = |a: &Contour, b: &Contour| {
         let index = SegmentIndex::new(&b.segments);
-        let bound = tolerance.next_up();
-        a.segments.iter().all(|s| [s.start(), s.at(0.5)].into_iter().all(|p| index.nearest_within(p, bound).is_some()))
+        a.segments
+            .iter()
+            .all(|s| [s.start(), s.at(0.5)].into_iter().all(|p| index.nearest(p).is_some_and(|(_, d)| d <= tolerance)))
     };
     (a.length() - b.length()).abs() <= tolerance * (a.segments.len() + b.segments.len()) as f64
         && lies_on(a, b)

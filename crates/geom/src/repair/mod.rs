@@ -5,7 +5,8 @@
 //! 1. [`clean`]: every number finite and of a sane size, each loop closed, no edge of zero length, no full circle;
 //! 2. [`circles`]: arcs of one circle share its centre and radius exactly;
 //! 3. [`duplicates`]: loops without area and loops drawn twice are dropped;
-//! 4. [`contacts`]: edges that cross are an error; ends on other edges and tangencies are touches;
+//! 4. [`contacts`]: edges that cross are an error unless they bound a mere sliver; ends on other edges and tangencies
+//!    are touches;
 //! 5. [`arrangement`]: edges are split at touches, pieces that cover each other cancel in pairs;
 //! 6. [`fans`], [`sides`]: which side of every edge is interior, by parity from the left;
 //! 7. [`splice`]: contours that keep the interior to the left and walk each wedge of it at a touch by itself;
@@ -28,6 +29,8 @@ pub use report::{Note, RegionError};
 
 use crate::bbox::BBox;
 use crate::contour::Contour;
+use crate::index::SegmentIndex;
+use crate::intersect::Closeness;
 use crate::nesting;
 use crate::region::Region;
 use crate::segment::Segment;
@@ -36,8 +39,15 @@ use crate::tolerance;
 /// What may be changed to make a region.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RepairOptions {
-    /// Contours that nowhere lie farther apart than this are one drawn twice, mm; but see [`tolerance::SAME_CONTOUR`].
+    /// Contours that nowhere lie farther apart than this are one drawn twice, and slivers no wider than this where edges
+    /// cross are dropped, mm; but never above [`tolerance::NARROW`] of the size.
     pub join_tolerance: f64,
+}
+
+impl RepairOptions {
+    fn narrow(self, bbox: BBox) -> f64 {
+        self.join_tolerance.min(tolerance::NARROW * bbox.size())
+    }
 }
 
 impl Default for RepairOptions {
@@ -74,18 +84,24 @@ pub fn build(loops: Vec<Contour>, options: &RepairOptions) -> Result<Healed, Reg
     let touch = tolerance::touch_length(bbox);
     let mut loops = clean::clean(loops, touch, &mut notes)?;
     circles::snap(&mut loops, bbox);
-    duplicates::drop_repeated(&mut loops, options, bbox, &mut notes);
+    duplicates::drop_repeated(&mut loops, options.narrow(bbox), &mut notes);
+    let closeness = Closeness { touch, lens: options.narrow(bbox) };
     let (edges, next) = edges_of(&loops);
-    let contacts = contacts::find(&edges, &next, touch)?;
-    let (pieces, vertices) = arrangement::pieces(&edges, &next, contacts, touch, &mut notes);
+    let mut index = SegmentIndex::new(&edges.iter().map(|e| e.segment).collect::<Vec<_>>());
+    let contacts = contacts::find(&edges, &next, &index, closeness)?;
+    let as_drawn = contacts.is_empty();
+    let (pieces, vertices) = arrangement::pieces(&edges, &next, contacts, closeness, &mut notes);
     if pieces.is_empty() {
         return Err(RegionError::Nothing { loops: count, at: bbox.center() });
     }
+    if !as_drawn {
+        index = SegmentIndex::new(&pieces.iter().map(|p| p.segment).collect::<Vec<_>>());
+    }
     let fans = fans::Fans::new(&pieces, vertices);
-    let left = sides::interior_left(&pieces, &fans)?;
+    let left = sides::interior_left(&pieces, &fans, &index)?;
     splice::touch_notes(&pieces, &fans, &mut notes);
-    let contours = splice::contours(&pieces, &fans, &left);
-    let parents = nesting::parents(&contours);
+    let (contours, owners) = splice::contours(&pieces, &fans, &left);
+    let parents = nesting::parents_by(&contours, &index, |piece| owners[piece]);
     Ok(Healed { region: Region::from_parts_unchecked(contours, parents), notes })
 }
 

@@ -114,6 +114,18 @@ pub enum Note {
         /// The start of the shared piece.
         at: Point,
     },
+    /// Loops overlap by next to nothing, as tangent curves with rounded numbers do: they were cut where they cross and the
+    /// sliver between was dropped.
+    Overlap {
+        /// One loop.
+        first: u32,
+        /// The other one, perhaps the same.
+        second: u32,
+        /// Where the sliver begins.
+        at: Point,
+        /// How long it is, mm.
+        length: f64,
+    },
     /// Loops touch in a single point, which became a corner of both.
     Touch {
         /// One loop.
@@ -135,6 +147,7 @@ impl Note {
             | Self::Duplicate { at, .. }
             | Self::Spike { at, .. }
             | Self::Shared { at, .. }
+            | Self::Overlap { at, .. }
             | Self::Touch { at, .. } => at,
         }
     }
@@ -147,7 +160,9 @@ impl Note {
             | Self::ZeroArea { contour, .. }
             | Self::Spike { contour, .. } => (contour, None),
             Self::Duplicate { contour, kept, .. } => (contour, Some(kept)),
-            Self::Shared { first, second, .. } | Self::Touch { first, second, .. } => (first, Some(second)),
+            Self::Shared { first, second, .. }
+            | Self::Overlap { first, second, .. }
+            | Self::Touch { first, second, .. } => (first, Some(second)),
         }
     }
 }
@@ -174,6 +189,13 @@ impl fmt::Display for Note {
             Self::Shared { first, second, .. } => {
                 let (first, second) = (first + 1, second + 1);
                 write!(f, "contours {first} and {second} share an edge at {at}: the areas on its sides were joined")
+            }
+            Self::Overlap { first, second, length, .. } if first == second => {
+                write!(f, "contour {} overlaps itself by a sliver of {length:.3e} mm at {at}: dropped", first + 1)
+            }
+            Self::Overlap { first, second, length, .. } => {
+                let (first, second) = (first + 1, second + 1);
+                write!(f, "contours {first} and {second} overlap by a sliver of {length:.3e} mm at {at}: dropped")
             }
             Self::Touch { first, second, .. } if first == second => {
                 write!(f, "contour {} touches itself at {at}: taken as it is", first + 1)

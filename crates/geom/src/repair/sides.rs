@@ -12,14 +12,12 @@ use crate::ray::leftmost;
 use crate::segment::Segment;
 
 /// For each piece whether the interior lies to its left.
-pub(super) fn interior_left(pieces: &[Piece], fans: &Fans) -> Result<Vec<bool>, RegionError> {
-    let segments: Vec<Segment> = pieces.iter().map(|p| p.segment).collect();
-    let index = SegmentIndex::new(&segments);
+pub(super) fn interior_left(pieces: &[Piece], fans: &Fans, index: &SegmentIndex) -> Result<Vec<bool>, RegionError> {
     let (component, seeds) = components(pieces, fans);
     let mut left: Vec<Option<bool>> = vec![None; pieces.len()];
     for (at, seed) in seeds {
         let own = component[seed];
-        let inside = index.first_left(at, |k| component[k] != own).is_some_and(|(k, hit)| {
+        let inside = index.first_left(at, |k, _| component[k] != own).is_some_and(|(k, hit)| {
             let left_is_inside = left[k].unwrap_or(false);
             if hit.upward { !left_is_inside } else { left_is_inside }
         });

@@ -5,24 +5,25 @@ use super::fans::{Dart, Fans, outgoing};
 use super::report::Note;
 use crate::contour::Contour;
 
-/// The contours, in the order of their first pieces.
-pub(super) fn contours(pieces: &[Piece], fans: &Fans, left: &[bool]) -> Vec<Contour> {
+/// The contours, in the order of their first pieces, and for each piece the contour that it became part of.
+pub(super) fn contours(pieces: &[Piece], fans: &Fans, left: &[bool]) -> (Vec<Contour>, Vec<u32>) {
     let dart_of = |k: usize| 2 * k as u32 + u32::from(!left[k]);
-    let mut used = vec![false; pieces.len()];
+    let mut owners = vec![u32::MAX; pieces.len()];
     let mut contours = Vec::new();
     for first in 0..pieces.len() {
-        if used[first] {
+        if owners[first] != u32::MAX {
             continue;
         }
         let mut segments = Vec::new();
         let mut dart = dart_of(first);
-        while !std::mem::replace(&mut used[dart as usize / 2], true) {
+        while owners[dart as usize / 2] == u32::MAX {
+            owners[dart as usize / 2] = contours.len() as u32;
             segments.push(outgoing(pieces, dart));
             dart = following(pieces, fans, dart);
         }
         contours.push(Contour::new(segments));
     }
-    contours
+    (contours, owners)
 }
 
 /// The dart that bounds the wedge to the left of where this one arrives: the next one clockwise from its own reverse.

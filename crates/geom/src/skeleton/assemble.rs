@@ -36,17 +36,10 @@ pub(super) fn assemble(cycle: &Cycle, mut draft: Draft, sites: &[Element], conve
 fn join_bridges(cycle: &Cycle, draft: &mut Draft) -> Vec<bool> {
     let mut dropped = vec![false; draft.half_edges.len() / 2];
     let mut renamed = vec![NONE; if cycle.bridges.is_empty() { 0 } else { draft.half_edges.len() }];
-    let mut entry = vec![NONE; cycle.bridges.len()];
-    for (k, junction) in cycle.junctions.iter().enumerate() {
-        let Junction::Bridge(bridge) = *junction else { continue };
-        let k = k as u32;
-        if entry[bridge as usize] == NONE {
-            entry[bridge as usize] = k;
-            continue;
-        }
+    for &(entry, exit) in &cycle.crossings {
         // one edge runs along the wall up to the bridge and on along the island, the other one back
-        let (arriving, leaving) = (draft.last[entry[bridge as usize] as usize - 1], draft.first[k as usize]);
-        let (back, away) = (draft.last[k as usize - 1], draft.first[entry[bridge as usize] as usize]);
+        let (arriving, leaving) = (draft.last[entry as usize - 1], draft.first[exit as usize]);
+        let (back, away) = (draft.last[exit as usize - 1], draft.first[entry as usize]);
         draft.half_edges[arriving as usize].next = draft.half_edges[leaving as usize].next;
         draft.half_edges[away as usize].origin = draft.half_edges[back as usize].origin;
         renamed[back as usize] = away;
@@ -226,8 +219,11 @@ fn apexes(a: &Element, b: &Element, v0: Vertex, v1: Vertex) -> [Option<Vertex>; 
         let radius = b.pencil_radius(foot, n);
         let point = foot + n * radius;
         let extreme = radius < v0.clearance.min(v1.clearance) || radius > v0.clearance.max(v1.clearance);
-        let between = advance(a, v0.point, point) > 0.0 && advance(a, point, v1.point) > 0.0;
-        if radius > tol::EMPTY && radius < tol::LARGEST_DISK && extreme && between {
+        let between = [(a, v0, v1), (b, v1, v0)]
+            .iter()
+            .all(|(e, from, to)| advance(e, from.point, point) > 0.0 && advance(e, point, to.point) > 0.0);
+        let touches = [a, b].iter().all(|e| (e.gap(point) - radius).abs() <= tol::FOOT && e.faces(point, tol::FOOT));
+        if radius > tol::EMPTY && touches && extreme && between {
             found[usize::from(found[0].is_some())] = Some(Vertex { point, clearance: radius });
         }
     }

@@ -33,6 +33,8 @@ pub(super) struct Cycle {
     pub(super) junctions: Vec<Junction>,
     /// The disk of each bridge.
     pub(super) bridges: Vec<Disk>,
+    /// For each bridge the first element behind it and the first one after the way back over it.
+    pub(super) crossings: Vec<(u32, u32)>,
 }
 
 /// A foot on an element with the inner normal there.
@@ -54,12 +56,47 @@ impl Cycle {
         rotate_to_clear_corner(outer);
         let mut cycle = if rings.len() == 1 {
             let (elements, junctions) = rings.swap_remove(0).into_iter().unzip();
-            Self { elements, junctions, bridges: Vec::new() }
+            Self { elements, junctions, bridges: Vec::new(), crossings: Vec::new() }
         } else {
             Bridging::new(&rings).into_cycle()
         };
         cycle.elements.shrink_to_fit();
+        cycle.note_crossings();
         cycle
+    }
+
+    fn note_crossings(&mut self) {
+        self.crossings = vec![(u32::MAX, u32::MAX); self.bridges.len()];
+        for (k, junction) in self.junctions.iter().enumerate() {
+            if let Junction::Bridge(bridge) = *junction {
+                let (entry, exit) = &mut self.crossings[bridge as usize];
+                *if *entry == u32::MAX { entry } else { exit } = k as u32;
+            }
+        }
+    }
+
+    /// The element before this one along the wall: across a bridge, the other piece of what the bridge cut.
+    pub(super) fn before_on_wall(&self, k: u32) -> u32 {
+        let n = self.elements.len() as u32;
+        match self.junctions[k as usize] {
+            Junction::Bridge(bridge) => {
+                let (entry, exit) = self.crossings[bridge as usize];
+                if k == entry { exit - 1 } else { entry - 1 }
+            }
+            _ => (k + n - 1) % n,
+        }
+    }
+
+    /// The element after this one along the wall.
+    pub(super) fn after_on_wall(&self, k: u32) -> u32 {
+        let next = (k + 1) % self.elements.len() as u32;
+        match self.junctions[next as usize] {
+            Junction::Bridge(bridge) => {
+                let (entry, exit) = self.crossings[bridge as usize];
+                if next == entry { exit } else { entry }
+            }
+            _ => next,
+        }
     }
 }
 
@@ -265,8 +302,8 @@ fn clamped_foot(e: &Element, center: Point) -> Foot {
 /// Radius of the disk that touches a curve at `foot` with normal `n` and the closed element.
 pub(super) fn closed_pencil_radius(e: &Element, foot: Point, n: Vec2) -> f64 {
     let radius = e.pencil_radius(foot, n);
-    if radius >= 0.0 && radius.is_finite() && e.faces(foot + n * radius, 0.0) {
-        return radius;
+    if radius >= -tol::EMPTY && radius.is_finite() && e.faces(foot + n * radius, tol::EMPTY) {
+        return radius.max(0.0);
     }
     let to_point = |p: Point| {
         let w = p - foot;

@@ -214,20 +214,25 @@ impl Element {
     /// one division. Negative, infinite or NaN where there is none.
     #[inline]
     pub(super) fn pencil_radius(&self, foot: Point, n: Vec2) -> f64 {
-        if self.is_line() {
-            let d = n - self.n0;
-            2.0 * (foot - self.start).dot(self.n0) / d.length_squared()
-        } else {
-            if self.carrier == Carrier::Inside {
-                let offset = foot - n * self.rho - self.center;
-                if offset.length_squared() <= tol::EMPTY * tol::EMPTY {
-                    // the same circle: its own disk
-                    return -self.rho;
-                }
+        if self.carrier == Carrier::Inside {
+            let offset = foot - n * self.rho - self.center;
+            if offset.length_squared() <= tol::EMPTY * tol::EMPTY {
+                // the same circle: its own disk
+                return -self.rho;
             }
-            let d = n - self.n0;
-            let k = self.rho * d.length_squared() - 2.0 * (foot - self.start).dot(n);
-            self.power(foot) / k
+        }
+        // powers from the nearer end: nothing cancels where the two curves meet in a corner
+        let (from_start, from_end) = (foot - self.start, foot - self.end);
+        let (from, n_end) = if from_start.length_squared() <= from_end.length_squared() {
+            (from_start, self.n0)
+        } else {
+            (from_end, self.n1)
+        };
+        let difference = (n - n_end).length_squared();
+        if self.is_line() {
+            2.0 * from.dot(n_end) / difference
+        } else {
+            from.dot(from + n_end * (2.0 * self.rho)) / (self.rho * difference - 2.0 * from.dot(n))
         }
     }
 

@@ -25,11 +25,11 @@ fn guess_and_verify(scene: &Scene, (a, b): (u32, u32), parent: Disk) -> Option<(
         let Some((hit, _)) = scene.heap.nearest(elements, (a + 1, b - 1), disk.center, bound) else {
             return Some((c, disk));
         };
+        let hit = facing_neighbor(scene, (a, b), hit, disk);
         if hit == c {
             return None;
         }
-        c = hit;
-        disk = touching(scene, (a, c, b), parent)?;
+        (c, disk) = touching_near(scene, (a, hit, b), parent)?;
     }
     None
 }
@@ -42,8 +42,43 @@ fn first_guess(scene: &Scene, (a, b): (u32, u32), parent: Disk) -> Option<(u32, 
     }
     match front {
         Some(disk) if elements[b as usize - 1].distance(disk.center) >= disk.radius - tol::EMPTY => Some((a + 1, disk)),
-        _ => touching(scene, (a, b - 1, b), parent).map(|disk| (b - 1, disk)),
+        _ => touching(scene, (a, b - 1, b), parent).map(|disk| (b - 1, disk)).or(front.map(|disk| (a + 1, disk))),
     }
+}
+
+/// Follow the wall from `c` to the element, still between `a` and `b` and within reach of the disk, whose extent holds
+/// the foot of the disk's centre.
+fn facing_neighbor(scene: &Scene, (a, b): (u32, u32), mut c: u32, disk: Disk) -> u32 {
+    for _ in 0..tol::HOPS {
+        let e = &scene.cycle.elements[c as usize];
+        let (before, after) = e.overshoot(disk.center);
+        if before <= tol::EMPTY && after <= tol::EMPTY {
+            break;
+        }
+        let is_at_start = if e.start == e.end {
+            before >= after
+        } else {
+            disk.center.distance_squared(e.start) <= disk.center.distance_squared(e.end)
+        };
+        let k = if is_at_start { scene.cycle.before_on_wall(c) } else { scene.cycle.after_on_wall(c) };
+        let is_candidate = k > a && k < b;
+        if !is_candidate || scene.cycle.elements[k as usize].distance(disk.center) > disk.radius + tol::FOOT {
+            break;
+        }
+        c = k;
+    }
+    c
+}
+
+/// Like [`touching`] for `c` or, where the disk leaves the extent of `c`, a neighbour of it on the wall.
+fn touching_near(scene: &Scene, (a, c, b): (u32, u32, u32), parent: Disk) -> Option<(u32, Disk)> {
+    if let Some(disk) = touching(scene, (a, c, b), parent) {
+        return Some((c, disk));
+    }
+    [scene.cycle.before_on_wall(c), scene.cycle.after_on_wall(c)]
+        .into_iter()
+        .filter(|&k| k > a && k < b)
+        .find_map(|k| touching(scene, (a, k, b), parent).map(|disk| (k, disk)))
 }
 
 fn is_same(a: Disk, b: Disk) -> bool {
@@ -54,13 +89,21 @@ fn is_same(a: Disk, b: Disk) -> bool {
 /// closed form finds none that it can vouch for.
 fn touching(scene: &Scene, (a, c, b): (u32, u32, u32), parent: Disk) -> Option<Disk> {
     let e = [a, c, b].map(|k| &scene.cycle.elements[k as usize]);
-    if let Some((foot, normal, other)) = spoke_among(scene, (a, c, b)) {
+    if e[0].site == e[1].site || e[1].site == e[2].site {
+        return None;
+    }
+    let mut spokes = spokes_among(scene, (a, c, b));
+    if let Some((foot, normal, other)) = spokes.next() {
+        if spokes.next().is_some() && !is_inside_between_spokes(e) {
+            // the cells on both sides of a reflex vertex, of an arc seen from outside or of a line never meet there
+            return None;
+        }
         let other = &scene.cycle.elements[other as usize];
         let radius = other.pencil_radius(foot, normal);
         let disk = Disk { center: foot + normal * radius, radius };
         let limit = inside_limit(e);
-        let fits = radius >= 0.0 && radius <= limit && radius.is_finite();
-        return (fits && other.faces(disk.center, tol::FOOT)).then_some(disk);
+        let fits = radius > tol::EMPTY && radius <= limit && radius.is_finite();
+        return (fits && other.faces(disk.center, tol::EXTENT)).then_some(disk);
     }
     let mut best: Option<(f64, Disk)> = None;
     for candidate in vertex::touching_three(e).iter() {
@@ -68,7 +111,7 @@ fn touching(scene: &Scene, (a, c, b): (u32, u32, u32), parent: Disk) -> Option<D
         if error > tol::RESIDUAL || disk.radius < 0.0 {
             continue;
         }
-        if !e.iter().all(|e| e.faces(disk.center, tol::FOOT)) || contact_order(e, disk) < -tol::ORDER {
+        if !e.iter().all(|e| e.faces(disk.center, tol::EXTENT)) || contact_order(e, disk) < -tol::ORDER {
             continue;
         }
         let progress = advance(e[0], parent.center, disk.center) - advance(e[2], parent.center, disk.center);
@@ -84,16 +127,18 @@ fn inside_limit(e: [&Element; 3]) -> f64 {
     e.iter().filter(|e| e.carrier == Carrier::Inside).map(|e| -e.rho + tol::EMPTY).fold(f64::INFINITY, f64::min)
 }
 
-/// If two of the three meet in a spoke: its foot, its normal and the third element.
-fn spoke_among(scene: &Scene, (a, c, b): (u32, u32, u32)) -> Option<(Point, Vec2, u32)> {
-    let spoke = |junction: u32, other: u32| match scene.cycle.junctions[junction as usize] {
-        Junction::Spoke(_, normal) => Some((scene.cycle.elements[junction as usize].start, normal, other)),
+/// Where two of the three meet in a spoke: its foot, its normal and the third element.
+fn spokes_among(scene: &Scene, (a, c, b): (u32, u32, u32)) -> impl Iterator<Item = (Point, Vec2, u32)> {
+    let joined = [(c == a + 1, c, b), (b == c + 1, b, a), (a == 0 && b + 1 == scene.len(), 0, c)];
+    joined.into_iter().filter_map(|(adjacent, junction, other)| match scene.cycle.junctions[junction as usize] {
+        Junction::Spoke(_, normal) if adjacent => Some((scene.cycle.elements[junction as usize].start, normal, other)),
         _ => None,
-    };
-    let first = if c == a + 1 { spoke(c, b) } else { None };
-    let second = || if b == c + 1 { spoke(b, a) } else { None };
-    let third = || if a == 0 && b + 1 == scene.len() { spoke(0, c) } else { None };
-    first.or_else(second).or_else(third)
+    })
+}
+
+/// Two spokes meet only in the centre of an arc between them.
+fn is_inside_between_spokes(e: [&Element; 3]) -> bool {
+    e.iter().any(|e| e.carrier == Carrier::Inside)
 }
 
 /// Twice the signed area of the triangle of contacts: positive where they follow one another counter-clockwise.
@@ -124,6 +169,7 @@ struct Pencil<'a> {
     /// The turn of the normals between the two.
     turn: f64,
     limit: f64,
+    parent: Disk,
 }
 
 impl<'a> Pencil<'a> {
@@ -144,7 +190,7 @@ impl<'a> Pencil<'a> {
         };
         let turn = if walker.is_line() { 0.0 } else { signed_turn(walker, from.1, to.1, forward) };
         let limit = inside_limit([walker, other, other]).min(tol::LARGEST_DISK);
-        Self { walker, other, from, to, turn, limit }
+        Self { walker, other, from, to, turn, limit, parent }
     }
 
     /// Whether the walk covers any ground.
@@ -164,6 +210,9 @@ impl<'a> Pencil<'a> {
     }
 
     fn disk_at(&self, t: f64) -> Disk {
+        if t <= 0.0 {
+            return self.parent;
+        }
         let (foot, n) = self.foot_at(t);
         let radius = closed_pencil_radius(self.other, foot, n).min(self.limit);
         Disk { center: foot + n * radius, radius }
@@ -195,15 +244,15 @@ fn bracketed(scene: &Scene, (a, b): (u32, u32), parent: Disk) -> (u32, Disk) {
     let limit = inside_limit([ea, eb, eb]).min(tol::LARGEST_DISK);
     if let Some((foot, normal)) = spoke {
         let disk_at = |t: f64| Disk { center: foot + normal * (t * limit), radius: t * limit };
-        return first_hit(scene, (a, b), disk_at, parent);
+        return first_hit(scene, (a, b), disk_at, |_| f64::NEG_INFINITY, (a + 1, b - 1));
     }
     let along_a = Pencil::new(ea, eb, parent, true);
     if !along_a.is_stuck() {
-        return first_hit(scene, (a, b), |t| along_a.disk_at(t), parent);
+        return first_hit(scene, (a, b), |t| along_a.disk_at(t), |d| eb.overshoot(d.center).0, (a + 1, b - 1));
     }
     let along_b = Pencil::new(eb, ea, parent, false);
     if !along_b.is_stuck() {
-        return first_hit(scene, (a, b), |t| along_b.disk_at(t), parent);
+        return first_hit(scene, (a, b), |t| along_b.disk_at(t), |d| ea.overshoot(d.center).1, (b - 1, a + 1));
     }
     nearest_neighbor(scene, (a, b), parent)
 }
@@ -215,8 +264,16 @@ fn nearest_neighbor(scene: &Scene, (a, b): (u32, u32), parent: Disk) -> (u32, Di
     (hit.map_or(a + 1, |(k, _)| k), parent)
 }
 
-/// The first disk of a family, `t` from 0 to 1, that touches an element between `a` and `b`.
-fn first_hit(scene: &Scene, (a, b): (u32, u32), disk_at: impl Fn(f64) -> Disk, parent: Disk) -> (u32, Disk) {
+/// The first disk of a family, `t` from 0 to 1, that touches an element between `a` and `b`. A disk whose foot has left
+/// the element that doesn't lead the walk (by `overrun`) is one that `neighbor`, the next one there, has met; a walk
+/// that meets nothing ends with `beyond`, the next one after the element that leads it.
+fn first_hit(
+    scene: &Scene,
+    (a, b): (u32, u32),
+    disk_at: impl Fn(f64) -> Disk,
+    overrun: impl Fn(Disk) -> f64,
+    (beyond, neighbor): (u32, u32),
+) -> (u32, Disk) {
     let elements = &scene.cycle.elements;
     let range = (a + 1, b - 1);
     let mut high = 1.0;
@@ -224,37 +281,33 @@ fn first_hit(scene: &Scene, (a, b): (u32, u32), disk_at: impl Fn(f64) -> Disk, p
     for _ in 0..tol::GUESSES {
         let disk = disk_at(high);
         let bound = disk.radius - tol::EMPTY;
-        let Some((hit, _)) = scene.heap.nearest(elements, range, disk.center, bound) else { break };
-        if found.is_some_and(|(k, _)| k == hit) {
-            break;
-        }
+        let hit = scene.heap.nearest(elements, range, disk.center, bound).map(|(k, _)| k);
+        let hit = match hit {
+            Some(k) if found != Some(k) => k,
+            _ if overrun(disk) > tol::EMPTY && found != Some(neighbor) => neighbor,
+            _ => break,
+        };
         let e = &elements[hit as usize];
         let depth = |t: f64| {
             let d = disk_at(t);
-            e.distance(d.center) - d.radius
+            let gap = e.distance(d.center) - d.radius;
+            if hit == neighbor { gap.min(-overrun(d)) } else { gap }
         };
         high = first_touch(depth, high);
-        found = Some((hit, disk_at(high)));
+        found = Some(hit);
     }
-    let Some((hit, disk)) = found else {
-        let disk = disk_at(1.0);
-        return owner(scene, (a, b), a + 1, if disk.radius < tol::LARGEST_DISK { disk } else { parent });
-    };
-    owner(scene, (a, b), hit, disk)
+    owner(scene, (a, b), found.unwrap_or(beyond), disk_at(high))
 }
 
 /// The least `t` up to `high` at which `depth` falls to 0, by bisection: `depth(0) >= 0 > depth(high)`.
 fn first_touch(depth: impl Fn(f64) -> f64, mut high: f64) -> f64 {
     let mut low = 0.0;
-    if depth(low) < 0.0 {
-        return low;
-    }
     loop {
         let middle = 0.5 * (low + high);
         if high - low <= tol::BISECTION || middle <= low || middle >= high {
             return low;
         }
-        if depth(middle) < 0.0 {
+        if depth(middle) < -tol::EMPTY {
             high = middle;
         } else {
             low = middle;
@@ -262,22 +315,10 @@ fn first_touch(depth: impl Fn(f64) -> f64, mut high: f64) -> f64 {
     }
 }
 
-/// The element that owns the contact: where the foot falls outside the extent of `hit`, a neighbour that touches the
-/// disk as well and holds the foot; then refine the disk on all three.
+/// The element that owns the contact; the disk is refined on all three.
 fn owner(scene: &Scene, (a, b): (u32, u32), hit: u32, disk: Disk) -> (u32, Disk) {
-    let elements = &scene.cycle.elements;
-    let over = |k: u32| {
-        let (before, after) = elements[k as usize].overshoot(disk.center);
-        before.max(after)
-    };
-    let touches = |k: u32| elements[k as usize].distance(disk.center) <= disk.radius + tol::FOOT;
-    let mut c = hit;
-    for k in [hit.saturating_sub(1), hit + 1] {
-        if k > a && k < b && over(c) > 0.0 && over(k) < over(c) && touches(k) {
-            c = k;
-        }
-    }
-    let e = [a, c, b].map(|k| &elements[k as usize]);
+    let c = facing_neighbor(scene, (a, b), hit, disk);
+    let e = [a, c, b].map(|k| &scene.cycle.elements[k as usize]);
     let (better, error) = vertex::polish(e, disk);
     let sound = error < vertex::residual(e, disk)
         && (better.center - disk.center).length() <= tol::FOOT

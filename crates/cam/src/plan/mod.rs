@@ -1,0 +1,88 @@
+//! Contour-parallel pocketing: algorithm 4.1 of Chou and Cohen, *tool path generation I*.
+//!
+//! 1. The loops at distances `r + q`, `r + q + w`, … for tool radius `r`, border `q` and stepover `w` (`levels`).
+//! 2. Their order: innermost first, each area's inner areas before its own loops; one *group* of loops for each area
+//!    that holds no inner one, that is, for each peak that the levels tell apart (`order`).
+//! 3. Within a group the tool stays down: side-steps and ways along the skeleton ([`crate::link`]). Between groups it
+//!    lifts. There are at most as many groups as peaks, and so fewer lifts than control vertices times depth passes.
+//! 4. The moves, once a depth pass (`moves`).
+//!
+//! **Nothing is left.** Let `x` be a point that some disk of the tool at a centre `c` with clearance `≥ r + q` covers.
+//! If the clearance of `x` is above `r + q`, walk from `x` straight to its nearest wall: clearance falls like length, so
+//! after at most `w` one meets the next loop (above the last distance there is less than `w`): with `w ≤ r`
+//! it covers `x`. Otherwise the way from `c` to `x`, at most `r` long, leaves the area within the first loops and crosses
+//! one. Where `c` lies on no area's closure it is on a degenerate path (a channel just as wide as the tool), which is
+//! toured too. Passes and peaks between the levels need nothing more.
+
+mod levels;
+mod moves;
+mod order;
+mod report;
+mod track;
+
+use crate::job::PocketJob;
+use levels::Levels;
+use order::Orderer;
+use pocketry_geom::Region;
+use pocketry_geom::offset::degenerate_slack;
+use pocketry_geom::skeleton::Skeleton;
+use pocketry_geom::skeleton::trees::Trees;
+
+pub(crate) use track::{Cut, Landing, Track};
+
+pub use report::{EntryKind, Group, Link, LinkKind, Plan, PlanError, PlannedLoop, Warning};
+
+/// More loops or passes than this are a slip of the finger.
+const MOST_LEVELS: f64 = 100_000.0;
+
+/// Plans a job in a region with its skeleton.
+///
+/// # Errors
+/// When the job asks for the impossible, or the tool fits nowhere in the region.
+pub fn plan(region: &Region, skeleton: &Skeleton, job: &PocketJob) -> Result<Plan, PlanError> {
+    job.check()?;
+    let mut warnings = Vec::new();
+    let (first, stepover) = (job.first_distance(), clamped_stepover(job, &mut warnings));
+    let highest = skeleton.vertices().iter().map(|v| v.clearance).fold(0.0, f64::max);
+    if region.contours().is_empty() || highest < first - degenerate_slack(first) {
+        let largest = (2.0 * (highest - job.stock_to_leave)).max(0.0);
+        return Err(PlanError::DoesNotFit { diameter: job.tool.diameter, largest });
+    }
+    if highest > MOST_LEVELS * stepover {
+        return Err(PlanError::Job { what: "stepover", value: stepover });
+    }
+    if job.stock.depth > MOST_LEVELS * job.stepdown {
+        return Err(PlanError::Job { what: "stepdown", value: job.stepdown });
+    }
+    let trees = Trees::new(skeleton);
+    let levels = Levels::new(skeleton, &distances(first, stepover, highest))?;
+    if levels.tracks.is_empty() {
+        return Err(PlanError::DoesNotFit {
+            diameter: job.tool.diameter,
+            largest: 2.0 * (highest - job.stock_to_leave),
+        });
+    }
+    let chains = Orderer::new(skeleton, &levels).chains();
+    warnings.extend(report::unreached(skeleton, &trees, first, job.stock_to_leave));
+    let mut plan = moves::write(&levels, &chains, job, first);
+    plan.control_vertices = trees.controls().len();
+    warnings.append(&mut plan.warnings);
+    plan.warnings = warnings;
+    plan.stepover = stepover;
+    Ok(plan)
+}
+
+/// Step 2 of algorithm 4.1: the distances of the loops, in increasing order.
+fn distances(first: f64, stepover: f64, highest: f64) -> Vec<f64> {
+    let more = ((highest - first) / stepover).ceil().max(0.0) as u32;
+    let further = (1..=more).map(|k| first + f64::from(k) * stepover).filter(|&d| d < highest);
+    std::iter::once(first).chain(further).collect()
+}
+
+fn clamped_stepover(job: &PocketJob, warnings: &mut Vec<Warning>) -> f64 {
+    let radius = job.tool.radius();
+    if job.stepover > radius {
+        warnings.push(Warning::StepoverClamped { asked: job.stepover, used: radius });
+    }
+    job.stepover.min(radius)
+}

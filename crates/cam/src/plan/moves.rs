@@ -1,0 +1,206 @@
+//! From chains to moves: passes in depth, entries, lifts.
+
+use super::levels::Levels;
+use super::order::{Chain, Step};
+use super::report::{EntryKind, Group, Link, Plan, PlannedLoop, Warning};
+use crate::job::PocketJob;
+use pocketry_geom::{Point, Segment, Vec2, vec2};
+use pocketry_motion::{Direction, FeedKind, Move, Point3};
+use std::f64::consts::TAU;
+
+/// Writes every chain at every depth.
+pub(super) fn write(levels: &Levels, chains: &[Chain], job: &PocketJob, first: f64) -> Plan {
+    let passes = (job.stock.depth / job.stepdown).ceil().max(1.0) as usize;
+    let mut plan = Plan { passes, ..Plan::default() };
+    let travelled: Vec<Travelled> = chains.iter().map(|c| Travelled::new(c, job, first)).collect();
+    for (group, t) in travelled.iter().enumerate() {
+        t.describe(group, levels, &mut plan);
+    }
+    let mut writer = Writer::new(job);
+    for same_pocket in travelled.chunk_by(|a, b| a.chain.pocket == b.chain.pocket) {
+        for pass in 0..passes {
+            for (k, t) in same_pocket.iter().enumerate() {
+                writer.approach(t.entry_point(), pass == 0 && k == 0);
+                writer.chain(t, pass, passes);
+            }
+        }
+    }
+    writer.lift(job.heights.clearance);
+    plan.program.moves = writer.moves;
+    plan
+}
+
+/// A chain with its entry and its cuts in the direction they are travelled.
+struct Travelled<'a> {
+    chain: &'a Chain,
+    entry: EntryKind,
+    cuts: Vec<Vec<Segment>>,
+}
+
+impl<'a> Travelled<'a> {
+    fn new(chain: &'a Chain, job: &PocketJob, first: f64) -> Self {
+        let oriented = |s: &Step| -> Vec<Segment> {
+            let segments = &s.cut.segments;
+            match job.direction {
+                Direction::Climb => segments.clone(),
+                Direction::Conventional => segments.iter().rev().map(Segment::reversed).collect(),
+            }
+        };
+        Self { chain, entry: entry(chain, job, first), cuts: chain.steps.iter().map(oriented).collect() }
+    }
+
+    /// Where the tool goes down.
+    fn entry_point(&self) -> Point {
+        match self.entry {
+            EntryKind::Helix { center, radius } => center + self.outward(center) * radius,
+            EntryKind::Ramp | EntryKind::Plunge => self.chain.steps[0].cut.start,
+        }
+    }
+
+    /// From a helix's axis to where its first loop begins.
+    fn outward(&self, center: Point) -> Vec2 {
+        let to = self.chain.steps[0].cut.start - center;
+        if to == Vec2::ZERO { vec2(1.0, 0.0) } else { to.normalized() }
+    }
+
+    /// The ways to each cut as travelled: the entry's link starts on the helix, or is none.
+    fn links(&self) -> Vec<Vec<Segment>> {
+        let mut links: Vec<Vec<Segment>> = self.chain.steps.iter().map(|s| s.link.clone()).collect();
+        let (from, to) = (self.entry_point(), self.chain.steps[0].cut.start);
+        links[0] = if from == to { Vec::new() } else { vec![Segment::line(from, to)] };
+        links
+    }
+
+    fn describe(&self, group: usize, levels: &Levels, plan: &mut Plan) {
+        let start = self.entry_point();
+        let clearance = self.chain.peak.map_or(levels.tracks[self.chain.steps[0].track as usize].distance, |p| p.1);
+        plan.groups.push(Group { start, clearance, entry: self.entry, pocket: self.chain.pocket });
+        if self.entry == EntryKind::Plunge {
+            plan.warnings.push(Warning::Plunge { at: start });
+        }
+        for ((step, cut), link) in self.chain.steps.iter().zip(&self.cuts).zip(self.links()) {
+            let track = &levels.tracks[step.track as usize];
+            if !link.is_empty() {
+                plan.links.push(Link { segments: link, group, kind: step.kind });
+            }
+            plan.loops.push(PlannedLoop {
+                segments: cut.clone(),
+                distance: track.distance,
+                level: track.level,
+                group,
+                degenerate: track.degenerate,
+            });
+        }
+    }
+}
+
+/// The gentlest entry that there is room for: the axis of a helix may stray from the peak by what its clearance exceeds
+/// the first distance.
+fn entry(chain: &Chain, job: &PocketJob, first: f64) -> EntryKind {
+    let radius = job.tool.radius();
+    let (least, largest) = (job.entry.least_helix * radius, job.entry.largest_helix * radius);
+    let cut = &chain.steps[0].cut;
+    if let Some((center, clearance)) = chain.peak {
+        let (room, reach) = (clearance - first, center.distance(cut.start));
+        let helix = if (least..=largest).contains(&reach) { reach } else { largest };
+        let helix = helix.min(room);
+        if helix >= least {
+            return EntryKind::Helix { center, radius: helix };
+        }
+    }
+    if cut.length() >= job.entry.least_ramp * radius { EntryKind::Ramp } else { EntryKind::Plunge }
+}
+
+/// Appends moves.
+struct Writer<'a> {
+    job: &'a PocketJob,
+    moves: Vec<Move>,
+}
+
+impl<'a> Writer<'a> {
+    const fn new(job: &'a PocketJob) -> Self {
+        Self { job, moves: Vec::new() }
+    }
+
+    fn at(&self) -> Option<Point3> {
+        self.moves.last().map(Move::to)
+    }
+
+    fn floor(&self, pass: usize, passes: usize) -> f64 {
+        let stock = self.job.stock;
+        if pass == passes { stock.top - stock.depth } else { stock.top - stock.depth * pass as f64 / passes as f64 }
+    }
+
+    /// Straight up to a height above the stock.
+    fn lift(&mut self, height: f64) {
+        if let Some(at) = self.at() {
+            self.moves.push(Move::Rapid { to: Point3 { z: self.job.stock.top + height, ..at } });
+        }
+    }
+
+    /// Through the air to above `p`: at retract height within a pocket, at clearance height to a `fresh` one.
+    fn approach(&mut self, p: Point, fresh: bool) {
+        let heights = self.job.heights;
+        let height = if fresh { heights.clearance.max(heights.retract) } else { heights.retract };
+        self.lift(height);
+        self.moves.push(Move::Rapid { to: Point3::at(p, self.job.stock.top + height) });
+        if height > heights.retract {
+            self.moves.push(Move::Rapid { to: Point3::at(p, self.job.stock.top + heights.retract) });
+        }
+    }
+
+    fn chain(&mut self, t: &Travelled<'_>, pass: usize, passes: usize) {
+        let (from, floor) = (self.floor(pass, passes), self.floor(pass + 1, passes));
+        match t.entry {
+            EntryKind::Helix { center, radius } => self.helix(t.entry_point(), center, radius, from, floor),
+            EntryKind::Ramp => self.ramp(&t.cuts[0], t.entry_point(), from, floor),
+            EntryKind::Plunge => self.plunge(t.entry_point(), floor),
+        }
+        for (link, cut) in t.links().iter().zip(&t.cuts) {
+            for segment in link.iter().chain(cut) {
+                self.segment(segment, floor, FeedKind::Cut);
+            }
+        }
+    }
+
+    fn plunge(&mut self, p: Point, z: f64) {
+        self.moves.push(Move::Line { to: Point3::at(p, z), feed: FeedKind::Plunge });
+    }
+
+    /// Down full turns of equal pitch, in the sense that cuts the hole's wall like the loops.
+    fn helix(&mut self, start: Point, center: Point, radius: f64, from: f64, floor: f64) {
+        self.plunge(start, from);
+        let pitch = TAU * radius * self.job.entry.angle.tan();
+        let turns = ((from - floor) / pitch).ceil().max(1.0);
+        for turn in 1..=turns as usize {
+            let z = from + (floor - from) * (turn as f64 / turns);
+            let to = Point3::at(start, if turn as f64 == turns { floor } else { z });
+            let ccw = self.job.direction == Direction::Climb;
+            self.moves.push(Move::Arc { to, center, ccw, feed: FeedKind::Ramp });
+        }
+    }
+
+    /// Down along whole rounds of a closed path.
+    fn ramp(&mut self, path: &[Segment], start: Point, from: f64, floor: f64) {
+        self.plunge(start, from);
+        let length: f64 = path.iter().map(Segment::length).sum();
+        let rounds = ((from - floor) / (length * self.job.entry.angle.tan())).ceil().max(1.0);
+        for round in 0..rounds as usize {
+            let mut run = 0.0;
+            for (k, segment) in path.iter().enumerate() {
+                run += segment.length();
+                let last = k + 1 == path.len();
+                let share = if last { round as f64 + 1.0 } else { round as f64 + run / length };
+                let z = if last && share == rounds { floor } else { from + (floor - from) * share / rounds };
+                self.segment(segment, z, FeedKind::Ramp);
+            }
+        }
+    }
+
+    fn segment(&mut self, segment: &Segment, z: f64, feed: FeedKind) {
+        self.moves.push(match segment {
+            Segment::Line(l) => Move::Line { to: Point3::at(l.end, z), feed },
+            Segment::Arc(a) => Move::Arc { to: Point3::at(a.end, z), center: a.center, ccw: a.ccw, feed },
+        });
+    }
+}

@@ -1,0 +1,200 @@
+//! Steps 3 and 4 of algorithm 4.1: which loop after which, and how the tool gets from one to the next.
+//!
+//! Areas are visited inner ones first; of several inner areas the one with the highest peak last, so that its group goes
+//! on through the loops around all of them. An area without inner ones starts a group at its peak.
+
+use super::levels::{Area, Levels};
+use super::{Cut, Landing, LinkKind};
+use crate::link::{Fans, medial_way, towards};
+use pocketry_geom::skeleton::{EdgeId, SiteId, Skeleton, VertexId};
+use pocketry_geom::tolerance::{LANDING, LANDING_SNAP};
+use pocketry_geom::{BBox, Point, Segment, Vec2};
+use std::collections::{BTreeSet, HashMap};
+
+/// One track of a chain.
+#[derive(Clone, Debug)]
+pub(super) struct Step {
+    pub(super) track: u32,
+    pub(super) cut: Cut,
+    /// The way from the end of the step before; at the first step from the entry's place.
+    pub(super) link: Vec<Segment>,
+    pub(super) kind: LinkKind,
+}
+
+/// A group of tracks cut without lifting.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Chain {
+    /// The peak at which it starts, with its clearance.
+    pub(super) peak: Option<(Point, f64)>,
+    pub(super) steps: Vec<Step>,
+    /// Number of the connected part of what can be reached.
+    pub(super) pocket: usize,
+}
+
+/// Puts tracks in order.
+pub(super) struct Orderer<'a> {
+    skeleton: &'a Skeleton,
+    levels: &'a Levels,
+    fans: Fans<'a>,
+    /// Every segment parallel to a site: `(level, site, track, segment)`, sorted.
+    pieces: Vec<(usize, SiteId, u32, u32)>,
+    /// Every place where a track crosses an edge: level and half-edge to track and segment.
+    crossings: HashMap<(usize, EdgeId), (u32, u32)>,
+    /// How far a landing may miss a loop, mm.
+    miss: f64,
+    /// Nearer than this to an end of a segment, a landing is moved there, mm.
+    snap: f64,
+}
+
+impl<'a> Orderer<'a> {
+    pub(super) fn new(skeleton: &'a Skeleton, levels: &'a Levels) -> Self {
+        let mut pieces = Vec::new();
+        let mut crossings = HashMap::new();
+        for (t, track) in levels.tracks.iter().enumerate() {
+            for (k, (&site, &crossing)) in track.sites.iter().zip(&track.crossings).enumerate() {
+                pieces.push((track.level, site, t as u32, k as u32));
+                crossings.insert((track.level, crossing), (t as u32, k as u32));
+            }
+        }
+        pieces.sort_unstable();
+        let size = skeleton.vertices().iter().fold(BBox::EMPTY, |b, v| b.with(v.point)).size();
+        Self {
+            skeleton,
+            levels,
+            fans: Fans::new(skeleton),
+            pieces,
+            crossings,
+            miss: LANDING * size,
+            snap: LANDING_SNAP * size,
+        }
+    }
+
+    /// All chains in the order they are cut.
+    pub(super) fn chains(&self) -> Vec<Chain> {
+        let mut chains = Vec::new();
+        for (pocket, &root) in self.levels.roots.iter().enumerate() {
+            for area in self.inner_first(root) {
+                self.cut_area(&self.levels.areas[area as usize], pocket, &mut chains);
+            }
+        }
+        chains
+    }
+
+    /// The areas of a tree, each after those inside it, the highest of them last.
+    fn inner_first(&self, root: u32) -> Vec<u32> {
+        let clearance = |a: u32| self.levels.areas[a as usize].clearance;
+        let (mut order, mut stack) = (Vec::new(), vec![root]);
+        while let Some(area) = stack.pop() {
+            order.push(area);
+            let mut children = self.levels.areas[area as usize].children.clone();
+            children.sort_by(|&a, &b| clearance(a).total_cmp(&clearance(b)).then(b.cmp(&a)));
+            stack.append(&mut children);
+        }
+        order.reverse();
+        order
+    }
+
+    /// Cuts an area's own tracks, going on from the last chain if the area holds inner ones.
+    fn cut_area(&self, area: &Area, pocket: usize, chains: &mut Vec<Chain>) {
+        let mut left: BTreeSet<u32> = area.tracks.iter().copied().collect();
+        if area.children.is_empty() {
+            chains.push(self.entered(area, pocket, &mut left));
+        }
+        while let Some(&first) = left.first() {
+            let chain = chains.last_mut().expect("inner areas have chains");
+            if let Some(step) = self.next_step(chain, &left) {
+                left.remove(&step.track);
+                chain.steps.push(step);
+            } else {
+                // No way is proven: lift and go in anew.
+                left.remove(&first);
+                let alone = Area { tracks: vec![first], clearance: area.clearance, ..Area::default() };
+                chains.push(self.entered(&alone, pocket, &mut BTreeSet::from([first])));
+            }
+        }
+    }
+
+    /// A chain whose entry is at the area's peak and whose first track is the one a step towards the wall meets.
+    fn entered(&self, area: &Area, pocket: usize, left: &mut BTreeSet<u32>) -> Chain {
+        let peak = area.peak.map(|v| self.skeleton.vertices()[v as usize]);
+        let landing = area.peak.and_then(|v| self.step_off_peak(v, left));
+        let track = landing.map_or(area.tracks[0], |l| l.track);
+        let start = self.levels.tracks[track as usize].start;
+        let at = landing.unwrap_or(Landing { track, segment: 0, point: start });
+        left.remove(&track);
+        let link = match (peak, landing) {
+            (Some(p), Some(l)) if p.point != l.point => vec![Segment::line(p.point, l.point)],
+            _ => Vec::new(),
+        };
+        let peak = peak.filter(|_| landing.is_some()).map(|p| (p.point, p.clearance));
+        Chain { peak, steps: vec![self.step(at, link, LinkKind::Entry)], pocket }
+    }
+
+    fn step(&self, landing: Landing, link: Vec<Segment>, kind: LinkKind) -> Step {
+        let cut = self.levels.tracks[landing.track as usize].cut_from(landing);
+        Step { track: landing.track, cut, link, kind }
+    }
+
+    /// Where a step from a peak straight to one of its nearest walls meets one of the `tracks`.
+    fn step_off_peak(&self, peak: VertexId, tracks: &BTreeSet<u32>) -> Option<Landing> {
+        let vertex = self.skeleton.vertices()[peak as usize];
+        let track = &self.levels.tracks[*tracks.first()? as usize];
+        self.fans.around(peak).find_map(|e| {
+            let site = self.skeleton.site(e);
+            let step = towards(self.skeleton.sites()[site as usize].shape, vertex.point);
+            self.landing(vertex.point + step * (vertex.clearance - track.distance), site, track.level, tracks)
+        })
+    }
+
+    /// The place on one of the `tracks`, in a segment parallel to `site`, that is `at` but for rounding.
+    fn landing(&self, at: Point, site: SiteId, level: usize, tracks: &BTreeSet<u32>) -> Option<Landing> {
+        let from = self.pieces.partition_point(|p| (p.0, p.1) < (level, site));
+        self.pieces[from..]
+            .iter()
+            .take_while(|p| (p.0, p.1) == (level, site))
+            .filter(|p| tracks.contains(&p.2))
+            .map(|&(_, _, track, segment)| {
+                let point = self.levels.tracks[track as usize].place(segment as usize, at, self.snap);
+                Landing { track, segment: segment as usize, point }
+            })
+            .find(|l| l.point.distance(at) <= self.miss)
+    }
+
+    /// The next of the tracks `left` of an area after the last one of a chain.
+    fn next_step(&self, chain: &Chain, left: &BTreeSet<u32>) -> Option<Step> {
+        let last = chain.steps.last()?;
+        let (from, to) = (&self.levels.tracks[last.track as usize], &self.levels.tracks[*left.first()? as usize]);
+        if from.level == to.level { self.medial_step(last, left) } else { self.side_step(last, left) }
+    }
+
+    /// From a loop to one of the next level further out, straight towards the wall (step 4(b)i).
+    fn side_step(&self, last: &Step, left: &BTreeSet<u32>) -> Option<Step> {
+        let (from, to) = (&self.levels.tracks[last.track as usize], &self.levels.tracks[*left.first()? as usize]);
+        let start = last.cut.start;
+        let first = last.cut.segments.first()?;
+        let towards_wall: Vec2 = first.start_tangent().right();
+        let at = start + towards_wall * (from.distance - to.distance);
+        let site = self.site_at(last)?;
+        let landing = self.landing(at, site, to.level, left)?;
+        Some(self.step(landing, vec![Segment::line(start, landing.point)], LinkKind::SideStep))
+    }
+
+    /// The site that the first segment of a cut is parallel to.
+    fn site_at(&self, step: &Step) -> Option<SiteId> {
+        let track = &self.levels.tracks[step.track as usize];
+        let first = step.cut.segments.first()?;
+        let same = |s: &Segment| s.end() == first.end();
+        track.segments.iter().position(same).map(|k| track.sites[k])
+    }
+
+    /// From a loop to another one of the same area, along the skeleton.
+    fn medial_step(&self, last: &Step, left: &BTreeSet<u32>) -> Option<Step> {
+        let track = &self.levels.tracks[last.track as usize];
+        let place = |e: EdgeId| self.crossings.get(&(track.level, e)).filter(|(t, _)| left.contains(t)).copied();
+        let (way, edge) = medial_way(&self.fans, &last.cut, track.distance, &|e| place(e).is_some())?;
+        let (found, segment) = place(edge)?;
+        let point = self.levels.tracks[found as usize].segments[segment as usize].start();
+        let landing = Landing { track: found, segment: segment as usize, point };
+        Some(self.step(landing, way, LinkKind::Medial))
+    }
+}

@@ -1,0 +1,170 @@
+//! What a plan holds, and what can be said about it.
+
+use pocketry_geom::offset::{OffsetError, degenerate_slack};
+use pocketry_geom::skeleton::Skeleton;
+use pocketry_geom::skeleton::trees::{Kind, Trees};
+use pocketry_geom::{Point, Segment};
+use pocketry_motion::Program;
+use serde::Serialize;
+
+/// Parts out of the tool's reach that are named one by one.
+const NAMED_PARTS: usize = 20;
+
+/// Why a job cannot be planned.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum PlanError {
+    /// A number of the job makes no sense.
+    #[error("{what} of {value}: out of range")]
+    Job {
+        /// Which number.
+        what: &'static str,
+        /// Its value, mm (radians for angles).
+        value: f64,
+    },
+    /// The tool is too large for every part of the region.
+    #[error("a tool of {diameter} mm fits nowhere in this pocket; the largest that fits measures {largest:.4} mm")]
+    DoesNotFit {
+        /// Diameter of the tool asked for, mm.
+        diameter: f64,
+        /// Largest diameter that fits somewhere, the stock to leave considered, mm.
+        largest: f64,
+    },
+    /// The offsets failed.
+    #[error(transparent)]
+    Offset(#[from] OffsetError),
+}
+
+/// What was done differently from what was asked, or cannot be done.
+#[derive(Clone, Debug, PartialEq, Serialize, thiserror::Error)]
+pub enum Warning {
+    /// The stepover was above the tool's radius, where sharp corners would stay uncut between loops.
+    #[error("stepover {asked} mm is above the tool's radius; {used} mm is used")]
+    StepoverClamped {
+        /// mm.
+        asked: f64,
+        /// mm.
+        used: f64,
+    },
+    /// No room for a helix nor a loop long enough for a ramp.
+    #[error("plunge at ({:.3}, {:.3}): no room for a helix or a ramp; use a tool that cuts to its centre", .at.x, .at.y)]
+    Plunge {
+        /// Where.
+        at: Point,
+    },
+    /// A part of the pocket that the tool cannot get into.
+    #[error("the part around ({:.3}, {:.3}) cannot be reached: it takes a tool of at most {largest:.4} mm", .at.x, .at.y)]
+    Unreached {
+        /// Its widest place.
+        at: Point,
+        /// Diameter that fits there, mm.
+        largest: f64,
+    },
+    /// More such parts.
+    #[error("{count} more parts of the pocket cannot be reached")]
+    MoreUnreached {
+        /// How many.
+        count: usize,
+    },
+}
+
+/// A planned job.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Plan {
+    /// The moves.
+    pub program: Program,
+    /// The loops in the order they are cut in each depth pass.
+    pub loops: Vec<PlannedLoop>,
+    /// The ways between them, in the same order.
+    pub links: Vec<Link>,
+    /// The groups of loops; the tool lifts between them.
+    pub groups: Vec<Group>,
+    /// Control vertices of the region's skeleton.
+    pub control_vertices: usize,
+    /// Depth passes.
+    pub passes: usize,
+    /// Distance between loops that was used, mm.
+    pub stepover: f64,
+    /// What the machinist should know.
+    pub warnings: Vec<Warning>,
+}
+
+/// A closed path of the tool's axis.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PlannedLoop {
+    /// Its lines and arcs as they are travelled, from where the tool enters it.
+    pub segments: Vec<Segment>,
+    /// Distance from the walls, mm.
+    pub distance: f64,
+    /// Number of the distance, from 0 at the walls.
+    pub level: usize,
+    /// The group it belongs to, an index into [`Plan::groups`].
+    pub group: usize,
+    /// Whether it is the tour of a channel just as wide as the tool, rather than a loop around material.
+    pub degenerate: bool,
+}
+
+/// What kind of way a link is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub enum LinkKind {
+    /// From the entry to the first loop, straight towards the nearest wall.
+    Entry,
+    /// From a loop to the next one further out, straight towards the nearest wall.
+    SideStep,
+    /// Between loops of one distance, along loops and the skeleton.
+    Medial,
+}
+
+/// A way of the tool, cutting depth kept, from one loop to the next.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Link {
+    /// Its lines and arcs.
+    pub segments: Vec<Segment>,
+    /// The group it belongs to.
+    pub group: usize,
+    /// What it is.
+    pub kind: LinkKind,
+}
+
+/// How the tool goes down at the start of a group.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub enum EntryKind {
+    /// Along a helix.
+    Helix {
+        /// Its axis.
+        center: Point,
+        /// mm.
+        radius: f64,
+    },
+    /// Along the first loop.
+    Ramp,
+    /// Straight down.
+    Plunge,
+}
+
+/// A sequence of loops that the tool cuts without lifting.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Group {
+    /// Where it starts: the place of the entry.
+    pub start: Point,
+    /// The highest clearance inside its first loop, mm.
+    pub clearance: f64,
+    /// How the tool goes down.
+    pub entry: EntryKind,
+    /// The connected part of what can be reached, numbered from 0.
+    pub pocket: usize,
+}
+
+/// Every peak that the tool cannot get to, widest first.
+pub(super) fn unreached(skeleton: &Skeleton, trees: &Trees, first: f64, stock_to_leave: f64) -> Vec<Warning> {
+    let limit = first - degenerate_slack(first);
+    let mut parts: Vec<(f64, Point)> = trees
+        .of_kind(Kind::Peak)
+        .map(|k| &trees.plateaus()[k as usize])
+        .filter(|p| p.clearance < limit)
+        .map(|p| (2.0 * (p.clearance - stock_to_leave).max(0.0), skeleton.vertices()[p.vertices[0] as usize].point))
+        .collect();
+    parts.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let more = parts.len().saturating_sub(NAMED_PARTS);
+    let named = parts.iter().take(NAMED_PARTS).map(|&(largest, at)| Warning::Unreached { at, largest });
+    named.chain((more > 0).then_some(Warning::MoreUnreached { count: more })).collect()
+}

@@ -1,0 +1,290 @@
+//! What was typed. What it means is [`crate::settings`]'s affair.
+
+use clap::{Args, Parser, Subcommand};
+use pocketry_io::import::Units;
+use std::path::PathBuf;
+use std::str::FromStr;
+
+/// From the drawing of a pocket to a proven milling program.
+#[derive(Debug, Parser)]
+#[command(version, about, max_term_width = 100, propagate_version = true)]
+#[command(after_help = "Exit codes: 0 written and proven, 1 planned but not provable (nothing written), \
+    2 bad input, arguments or a tool that fits nowhere, 3 input/output failure. A batch returns the highest.")]
+pub(crate) struct Cli {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Write a proven G-code program that clears the drawing's pockets.
+    Pocket(Box<PocketArgs>),
+    /// Offset the drawing's pockets inwards and write the loops as DXF, SVG or JSON.
+    Offset(OffsetArgs),
+    /// Write the skeleton (Voronoi diagram inside the pockets) as SVG or JSON.
+    Skeleton(SkeletonArgs),
+    /// Judge a program against a drawing: gouges, uncut material, rapid moves in the stock.
+    Verify(VerifyArgs),
+    /// Say what is in a drawing: contours, areas, the largest tool that fits.
+    Info(InfoArgs),
+}
+
+/// How a drawing is read.
+#[derive(Args, Clone, Debug)]
+#[command(next_help_heading = "Drawing")]
+pub(crate) struct DrawingArgs {
+    /// Read this layer only (may be given several times).
+    #[arg(long, value_name = "NAME")]
+    pub(crate) layer: Vec<String>,
+    /// The drawing's unit (mm, cm, m, in, px, ...), where the file does not say or says wrong.
+    #[arg(long, value_name = "UNIT")]
+    pub(crate) units: Option<Units>,
+    /// Where the program's X0 Y0 lies: `drawing` (as drawn), `center`, `lower-left`, or `X,Y` in mm.
+    #[arg(long, value_name = "PLACE", default_value = "drawing", allow_hyphen_values = true)]
+    pub(crate) origin: Origin,
+}
+
+/// The place that becomes X0 Y0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Origin {
+    /// The drawing's own.
+    Drawing,
+    /// The middle of the pockets' box.
+    Center,
+    /// The lower left corner of the pockets' box.
+    LowerLeft,
+    /// This place, in the drawing's coordinates, mm.
+    At(f64, f64),
+}
+
+impl FromStr for Origin {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text {
+            "drawing" => return Ok(Self::Drawing),
+            "center" | "centre" => return Ok(Self::Center),
+            "lower-left" => return Ok(Self::LowerLeft),
+            _ => {}
+        }
+        let parsed = text.split_once(',').and_then(|(x, y)| Some((finite(x)?, finite(y)?)));
+        parsed.map(|(x, y)| Self::At(x, y)).ok_or_else(|| "expected drawing, center, lower-left or X,Y".to_owned())
+    }
+}
+
+/// The distance between loops.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Stepover {
+    /// In mm.
+    Length(f64),
+    /// As a fraction of the tool's diameter.
+    OfDiameter(f64),
+}
+
+impl FromStr for Stepover {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (number, wrap): (&str, fn(f64) -> Self) = match text.strip_suffix('%') {
+            Some(percent) => (percent, |p| Self::OfDiameter(p / 100.0)),
+            None => (text, Self::Length),
+        };
+        match finite(number) {
+            Some(value) if value > 0.0 => Ok(wrap(value)),
+            _ => Err("expected a positive length in mm, or a percentage of the tool's diameter such as 45%".to_owned()),
+        }
+    }
+}
+
+fn finite(text: &str) -> Option<f64> {
+    text.trim().parse().ok().filter(|v: &f64| v.is_finite())
+}
+
+/// A number that is not infinite.
+fn number(text: &str) -> Result<f64, String> {
+    finite(text).ok_or_else(|| "expected a number".to_owned())
+}
+
+/// A number above 0.
+fn positive(text: &str) -> Result<f64, String> {
+    finite(text).filter(|&v| v > 0.0).ok_or_else(|| "expected a number above 0".to_owned())
+}
+
+/// A number that is 0 or more.
+fn not_negative(text: &str) -> Result<f64, String> {
+    finite(text).filter(|&v| v >= 0.0).ok_or_else(|| "expected 0 or a number above".to_owned())
+}
+
+/// `pocketry pocket`.
+#[derive(Args, Debug)]
+pub(crate) struct PocketArgs {
+    /// The drawing: DXF, SVG, region JSON, or JSON lines for a batch.
+    pub(crate) input: PathBuf,
+    /// Diameter of the tool, mm. Region JSON may hold its own radius.
+    #[arg(short, long, value_name = "MM", value_parser = positive)]
+    pub(crate) tool: Option<f64>,
+    /// The program to write [default: the drawing's name with .ngc].
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+    /// Picture of the job to write (SVG).
+    #[arg(long, value_name = "FILE")]
+    pub(crate) plot: Option<PathBuf>,
+    /// Draw the skeleton into the picture, too.
+    #[arg(long, requires = "plot")]
+    pub(crate) plot_skeleton: bool,
+    /// Report to write (JSON; JSON lines for a batch).
+    #[arg(long, value_name = "FILE")]
+    pub(crate) report: Option<PathBuf>,
+    /// Folder for the programs of a batch.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out_dir: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) drawing: DrawingArgs,
+    #[command(flatten)]
+    pub(crate) cut: CutArgs,
+    #[command(flatten)]
+    pub(crate) machine: MachineArgs,
+}
+
+/// What is to be cut, and how.
+#[derive(Args, Clone, Debug)]
+#[command(next_help_heading = "Cutting")]
+pub(crate) struct CutArgs {
+    /// Distance between loops, mm or a percentage of the diameter; at most the radius [default: 45%].
+    #[arg(long, value_name = "MM|%")]
+    pub(crate) stepover: Option<Stepover>,
+    /// Material to leave on the walls, mm.
+    #[arg(long, value_name = "MM", default_value = "0", value_parser = not_negative)]
+    pub(crate) stock_to_leave: f64,
+    /// Depth of the pocket below the stock's top, mm [default: one stepdown].
+    #[arg(long, value_name = "MM", value_parser = positive)]
+    pub(crate) depth: Option<f64>,
+    /// Largest depth of one pass, mm; passes are equal [default: the tool's radius].
+    #[arg(long, value_name = "MM", value_parser = positive)]
+    pub(crate) stepdown: Option<f64>,
+    /// Z of the stock's top, mm.
+    #[arg(long, value_name = "MM", default_value = "0", allow_hyphen_values = true, value_parser = number)]
+    pub(crate) top: f64,
+    /// Climb milling (the default).
+    #[arg(long, conflicts_with = "conventional")]
+    pub(crate) climb: bool,
+    /// Conventional milling.
+    #[arg(long)]
+    pub(crate) conventional: bool,
+}
+
+/// Speeds, heights and how numbers are written.
+#[derive(Args, Clone, Debug)]
+#[command(next_help_heading = "Machine")]
+pub(crate) struct MachineArgs {
+    /// Cutting feed, mm/min.
+    #[arg(long, value_name = "MM/MIN", default_value = "600", value_parser = positive)]
+    pub(crate) feed: f64,
+    /// Feed along entry helix and ramp, mm/min [default: half the cutting feed].
+    #[arg(long, value_name = "MM/MIN", value_parser = positive)]
+    pub(crate) ramp_feed: Option<f64>,
+    /// Feed straight down, mm/min [default: a quarter of the cutting feed].
+    #[arg(long, value_name = "MM/MIN", value_parser = positive)]
+    pub(crate) plunge_feed: Option<f64>,
+    /// Rapid speed for the time estimate, mm/min.
+    #[arg(long, value_name = "MM/MIN", default_value = "3000", value_parser = positive)]
+    pub(crate) rapid_feed: f64,
+    /// Spindle speed, rpm.
+    #[arg(long, value_name = "RPM", default_value = "12000", value_parser = positive)]
+    pub(crate) spindle: f64,
+    /// Height of moves between pockets above the stock's top, mm.
+    #[arg(long, value_name = "MM", default_value = "10", value_parser = positive)]
+    pub(crate) clearance_height: f64,
+    /// Height of moves inside a pocket above the stock's top, mm.
+    #[arg(long, value_name = "MM", default_value = "2", value_parser = positive)]
+    pub(crate) retract_height: f64,
+    /// The tool's number in the machine's tool table.
+    #[arg(long, value_name = "N", default_value = "1", value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) tool_number: u32,
+    /// Write the program in inches.
+    #[arg(long)]
+    pub(crate) inch: bool,
+}
+
+/// `pocketry offset`.
+#[derive(Args, Debug)]
+pub(crate) struct OffsetArgs {
+    /// The drawing: DXF, SVG or region JSON.
+    pub(crate) input: PathBuf,
+    /// Distances from the walls, mm, separated by commas.
+    #[arg(short, long, value_name = "MM,...", value_delimiter = ',', required = true, value_parser = positive)]
+    pub(crate) distance: Vec<f64>,
+    /// File to write; its ending (.dxf, .svg, .json) says in which form [default: JSON to standard output].
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) drawing: DrawingArgs,
+}
+
+/// `pocketry skeleton`.
+#[derive(Args, Debug)]
+pub(crate) struct SkeletonArgs {
+    /// The drawing: DXF, SVG or region JSON.
+    pub(crate) input: PathBuf,
+    /// File to write; its ending (.svg, .json) says in which form [default: JSON to standard output].
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) drawing: DrawingArgs,
+}
+
+/// `pocketry verify`.
+#[derive(Args, Debug)]
+pub(crate) struct VerifyArgs {
+    /// The drawing: DXF, SVG or region JSON.
+    pub(crate) input: PathBuf,
+    /// The program to judge.
+    pub(crate) program: PathBuf,
+    /// Diameter of the tool, mm. Region JSON may hold its own radius.
+    #[arg(short, long, value_name = "MM", value_parser = positive)]
+    pub(crate) tool: Option<f64>,
+    /// Material that is to stay on the walls, mm.
+    #[arg(long, value_name = "MM", default_value = "0", value_parser = not_negative)]
+    pub(crate) stock_to_leave: f64,
+    /// Z of the stock's top, mm.
+    #[arg(long, value_name = "MM", default_value = "0", allow_hyphen_values = true, value_parser = number)]
+    pub(crate) top: f64,
+    /// Report to write (JSON).
+    #[arg(long, value_name = "FILE")]
+    pub(crate) report: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) drawing: DrawingArgs,
+}
+
+/// `pocketry info`.
+#[derive(Args, Debug)]
+pub(crate) struct InfoArgs {
+    /// The drawing: DXF, SVG or region JSON.
+    pub(crate) input: PathBuf,
+    /// Say it in JSON.
+    #[arg(long)]
+    pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) drawing: DrawingArgs,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn stepovers_and_origins_are_read() {
+        assert_eq!("45%".parse(), Ok(Stepover::OfDiameter(0.45)));
+        assert_eq!("2.5".parse(), Ok(Stepover::Length(2.5)));
+        assert!("-1".parse::<Stepover>().is_err() && "nan".parse::<Stepover>().is_err());
+        assert_eq!("-3, 4.5".parse(), Ok(Origin::At(-3.0, 4.5)));
+        assert!("1".parse::<Origin>().is_err() && "inf,0".parse::<Origin>().is_err());
+    }
+}

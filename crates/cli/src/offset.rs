@@ -1,0 +1,61 @@
+//! `pocketry offset`.
+
+use crate::args::OffsetArgs;
+use crate::console::{self, figure};
+use crate::drawing;
+use crate::failure::{Exit, Failure};
+use crate::output::write_or_print;
+use pocketry_geom::offset::{Offset, OffsetEngine, OffsetOptions, VoronoiEngine};
+use pocketry_io::export::{Sheet, to_dxf, to_json, to_svg};
+use std::path::Path;
+
+/// The form of a written file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Form {
+    Dxf,
+    Svg,
+    Json,
+}
+
+impl Form {
+    /// By the file's ending; JSON for standard output.
+    pub(crate) fn of(path: Option<&Path>) -> Result<Self, Failure> {
+        let Some(path) = path else { return Ok(Self::Json) };
+        let ending = path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
+        match ending.as_str() {
+            "dxf" => Ok(Self::Dxf),
+            "svg" => Ok(Self::Svg),
+            "json" => Ok(Self::Json),
+            _ => Err(Failure::arguments(format!("{}: name a file that ends with .dxf, .svg or .json", path.display()))),
+        }
+    }
+}
+
+pub(crate) fn run(args: &OffsetArgs) -> Result<(), Failure> {
+    let form = Form::of(args.output.as_deref())?;
+    let drawing = drawing::read(&args.input, &args.drawing)?;
+    console::warnings(&drawing.warnings);
+    let failed = |e| Failure::new(Exit::NotProven, "offset", e);
+    let offsets = VoronoiEngine.offsets(&drawing.region, &args.distance, &OffsetOptions::default()).map_err(failed)?;
+    let empty: Vec<String> = offsets
+        .iter()
+        .filter(|o| o.loops.is_empty())
+        .map(|o| format!("nothing is left at a distance of {} mm", figure(o.distance)))
+        .collect();
+    console::warnings(&empty);
+    let sheets: Vec<Sheet> = offsets.into_iter().map(sheet).collect();
+    let text = match form {
+        Form::Dxf => to_dxf(&sheets),
+        Form::Svg => to_svg(&sheets),
+        Form::Json => to_json(&sheets),
+    };
+    write_or_print(args.output.as_deref(), &text)
+}
+
+fn sheet(offset: Offset) -> Sheet {
+    Sheet {
+        name: format!("offset {}", figure(offset.distance)),
+        distance: Some(offset.distance),
+        loops: offset.loops.into_iter().map(|l| l.contour).collect(),
+    }
+}

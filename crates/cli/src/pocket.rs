@@ -1,0 +1,77 @@
+//! `pocketry pocket` for a single drawing.
+
+use crate::args::PocketArgs;
+use crate::console::{self, duration, figure};
+use crate::failure::Failure;
+use crate::job::{self, Proven};
+use crate::output::{Outputs, print};
+use crate::report::JobReport;
+use crate::settings::Settings;
+use crate::{drawing, picture};
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+pub(crate) fn run(args: &PocketArgs) -> Result<(), Failure> {
+    if args.out_dir.is_some() {
+        return Err(Failure::arguments("--out-dir is for batches (.jsonl); use -o for a single drawing"));
+    }
+    let begun = Instant::now();
+    let target = args.output.clone().unwrap_or_else(|| args.input.with_extension("ngc"));
+    check_targets(args, &target)?;
+    let drawing = drawing::read(&args.input, &args.drawing)?;
+    let name =
+        drawing.id.clone().unwrap_or_else(|| args.input.file_name().unwrap_or_default().to_string_lossy().into_owned());
+    let mut report = JobReport::named(name);
+    let settings = Settings::new(args.tool, args.cut.clone(), args.machine.clone());
+    let result = job::run(&drawing, &settings, &mut report);
+    console::warnings(&report.warnings);
+    let proven = result?;
+
+    report.program = Some(target.display().to_string());
+    report.seconds = begun.elapsed().as_secs_f64();
+    let mut outputs = Outputs::default();
+    outputs.add(&target, &proven.text)?;
+    if let Some(path) = &args.plot {
+        let picture = picture::of_job(&report.id, &drawing.region, &proven, args.plot_skeleton);
+        outputs.add(path, &picture.to_svg())?;
+    }
+    if let Some(path) = &args.report {
+        outputs.add(path, &report.to_pretty())?;
+    }
+    outputs.commit()?;
+    print(&said(&target, &proven))
+}
+
+/// No two outputs, and no output and the drawing, may be one file.
+fn check_targets(args: &PocketArgs, target: &Path) -> Result<(), Failure> {
+    let mut files: Vec<&Path> = vec![&args.input, target];
+    files.extend(args.plot.as_deref());
+    files.extend(args.report.as_deref());
+    let resolved: Vec<PathBuf> = files.iter().map(|f| f.canonicalize().unwrap_or_else(|_| f.to_path_buf())).collect();
+    for (k, file) in resolved.iter().enumerate() {
+        if resolved[..k].contains(file) {
+            return Err(Failure::arguments(format!(
+                "{} is named twice; each file needs a name of its own",
+                file.display()
+            )));
+        }
+    }
+    Ok(())
+}
+
+fn said(target: &Path, proven: &Proven) -> String {
+    let (figures, proof) = (&proven.figures, &proven.proof);
+    let share = if proof.region_area > 0.0 { 100.0 * proof.unreachable_area / proof.region_area } else { 0.0 };
+    format!(
+        "{}: {} loops, {} mm of cutting, {} retracts, about {}\n\
+         proven: deepest gouge {} mm, everything cut that a {} mm tool can reach; it can't reach {} mm² ({share:.1} %)\n",
+        target.display(),
+        proven.plan.loops.len(),
+        figure(figures.cut_length),
+        figures.retracts,
+        duration(figures.machine_seconds),
+        figure(proof.gouge_depth()),
+        figure(proven.setup.job.tool.diameter),
+        figure(proof.unreachable_area),
+    )
+}

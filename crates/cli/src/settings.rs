@@ -1,0 +1,116 @@
+//! What was typed becomes what is to be done: defaults, percentages and limits resolved, one [`Setup`] a region.
+
+use crate::args::{CutArgs, MachineArgs, Stepover};
+use crate::failure::Failure;
+use pocketry_cam::PocketJob;
+use pocketry_io::post::OutputUnit;
+use pocketry_motion::{Direction, Feeds, Heights, Stock, Tool};
+
+/// The settings shared by all regions of a run.
+#[derive(Clone, Debug)]
+pub(crate) struct Settings {
+    diameter: Option<f64>,
+    cut: CutArgs,
+    machine: MachineArgs,
+}
+
+/// Everything that has to be known to cut one region and to write its program.
+#[derive(Clone, Debug)]
+pub(crate) struct Setup {
+    pub(crate) job: PocketJob,
+    pub(crate) unit: OutputUnit,
+}
+
+impl Settings {
+    pub(crate) fn new(diameter: Option<f64>, cut: CutArgs, machine: MachineArgs) -> Self {
+        Self { diameter, cut, machine }
+    }
+
+    /// The setup for a region; the file's own tool radius and interval (mm) stand where none were typed.
+    pub(crate) fn resolve(&self, file_radius: Option<f64>, file_interval: Option<f64>) -> Result<Setup, Failure> {
+        let diameter = self.diameter.or(file_radius.map(|r| 2.0 * r)).ok_or_else(|| {
+            Failure::arguments("no tool: give its diameter in mm with --tool (this drawing does not name one)")
+        })?;
+        let usual = PocketJob::for_diameter(diameter);
+        let stepdown = self.cut.stepdown.unwrap_or(usual.stepdown);
+        let job = PocketJob {
+            tool: Tool { diameter, number: self.machine.tool_number },
+            stock: Stock { top: self.cut.top, depth: self.cut.depth.unwrap_or(stepdown) },
+            stepover: self.stepover(diameter, file_interval).unwrap_or(usual.stepover),
+            stock_to_leave: self.cut.stock_to_leave,
+            stepdown,
+            direction: if self.cut.conventional { Direction::Conventional } else { Direction::Climb },
+            heights: self.heights()?,
+            feeds: self.feeds(),
+            entry: usual.entry,
+        };
+        Ok(Setup { job, unit: if self.machine.inch { OutputUnit::Inch } else { OutputUnit::Millimetre } })
+    }
+
+    /// What was asked for, mm: typed, else in the file.
+    fn stepover(&self, diameter: f64, file_interval: Option<f64>) -> Option<f64> {
+        match self.cut.stepover {
+            Some(Stepover::Length(mm)) => Some(mm),
+            Some(Stepover::OfDiameter(share)) => Some(share * diameter),
+            None => file_interval,
+        }
+    }
+
+    fn feeds(&self) -> Feeds {
+        let cut = self.machine.feed;
+        Feeds {
+            cut,
+            ramp: self.machine.ramp_feed.unwrap_or(0.5 * cut),
+            plunge: self.machine.plunge_feed.unwrap_or(0.25 * cut),
+            rapid: self.machine.rapid_feed,
+            spindle: self.machine.spindle,
+        }
+    }
+
+    fn heights(&self) -> Result<Heights, Failure> {
+        let heights = Heights { clearance: self.machine.clearance_height, retract: self.machine.retract_height };
+        if heights.clearance < heights.retract {
+            let message = format!(
+                "the clearance height ({} mm) must not lie below the retract height ({} mm)",
+                heights.clearance, heights.retract
+            );
+            return Err(Failure::arguments(message));
+        }
+        Ok(heights)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::args::{Cli, Command};
+    use clap::Parser;
+
+    fn setup(typed: &str, radius: Option<f64>, interval: Option<f64>) -> Result<Setup, Failure> {
+        let words = "pocketry pocket a.dxf".split(' ').chain(typed.split(' ').filter(|w| !w.is_empty()));
+        let Command::Pocket(args) = Cli::try_parse_from(words).unwrap().command else { unreachable!() };
+        Settings::new(args.tool, args.cut, args.machine).resolve(radius, interval)
+    }
+
+    #[test]
+    fn a_tool_is_a_diameter_and_the_rest_follows() {
+        let job = setup("--tool 6", None, None).unwrap().job;
+        assert_eq!((job.tool.radius(), job.stock.depth, job.stepdown), (3.0, 3.0, 3.0));
+        assert!((job.stepover - 2.7).abs() < 1e-12);
+        assert_eq!((job.feeds.ramp, job.feeds.plunge), (300.0, 150.0));
+        assert!(setup("", None, None).is_err());
+    }
+
+    #[test]
+    fn the_files_own_tool_and_interval_stand_unless_typed() {
+        let job = setup("", Some(2.0), Some(1.5)).unwrap().job;
+        assert_eq!((job.tool.diameter, job.stepover), (4.0, 1.5));
+        let job = setup("--tool 10 --stepover 20%", Some(2.0), Some(1.5)).unwrap().job;
+        assert_eq!((job.tool.diameter, job.stepover), (10.0, 2.0));
+    }
+
+    #[test]
+    fn heights_must_be_in_order() {
+        assert!(setup("--tool 6 --clearance-height 1", None, None).is_err());
+    }
+}

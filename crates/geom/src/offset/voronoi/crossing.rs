@@ -1,0 +1,237 @@
+//! The point of a skeleton edge at a given clearance, and edges as curves.
+//!
+//! Edges are monotone in clearance and lie on one side of the axis of symmetry of their two sites, so that the point at
+//! clearance `d` is the one intersection of the sites' parallels on that side: a closed form, polished by two steps that
+//! split the error into a part along the edge and a part across it. Where that leaves the edge or misses the clearance
+//! (nearly tangent sites), the edge itself is bisected. The point never lies beyond the edge's end vertices.
+
+use super::carrier::{Carrier, Parallel};
+use crate::point::{Point, Vec2};
+use crate::segment::{Arc, Segment};
+use crate::skeleton::{EdgeId, Skeleton, Vertex};
+use crate::tolerance::{CROSSING, GRADIENT, SPOKE_RATE};
+
+/// Halvings of an edge that leave less than rounding.
+const BISECTIONS: usize = 60;
+/// Newton steps: the closed form is at most one step from rounding.
+const POLISH: usize = 3;
+/// Halvings of a curved edge when it is drawn with chords.
+const CHORD_DEPTH: usize = 12;
+
+/// An edge of the skeleton, directed towards larger clearance, with the two sites that form it.
+#[derive(Clone, Copy, Debug)]
+pub struct EdgeCurve {
+    low: Vertex,
+    high: Vertex,
+    /// The site to the right when going up.
+    right: Carrier,
+    left: Carrier,
+}
+
+impl EdgeCurve {
+    /// The curve of a half-edge or its twin: both give the same.
+    pub fn new(skeleton: &Skeleton, edge: EdgeId) -> Self {
+        let up = upward(skeleton, edge);
+        let vertex = |e| skeleton.vertices()[skeleton.origin(e) as usize];
+        let carrier = |e| Carrier::of(skeleton.sites()[skeleton.site(e) as usize].shape);
+        let down = Skeleton::twin(up);
+        Self { low: vertex(up), high: vertex(down), right: carrier(up), left: carrier(down) }
+    }
+
+    /// The vertex with the smaller clearance.
+    pub const fn low(&self) -> Vertex {
+        self.low
+    }
+
+    /// The vertex with the larger clearance.
+    pub const fn high(&self) -> Vertex {
+        self.high
+    }
+
+    /// The point at clearance `d`, an end vertex where `d` lies outside the edge's range.
+    pub fn at_clearance(&self, d: f64) -> Point {
+        if d <= self.low.clearance {
+            return self.low.point;
+        }
+        if d >= self.high.clearance {
+            return self.high.point;
+        }
+        let guess = self.polished(self.closed_form(d), d);
+        let (error, scale) = (self.error(guess, d), self.scale());
+        if self.within(guess) && error <= CROSSING * scale {
+            return guess;
+        }
+        let sought = self.bisected(d);
+        let best = if self.within(guess) && error < self.error(sought, d) { guess } else { sought };
+        if best.is_finite() { best } else { self.chord(d) }
+    }
+
+    /// The part of the edge between two clearances, from `from` to `to`, as lines and arcs: exact where the edge is
+    /// straight or circular, else chords that stay within `tolerance` of it.
+    pub fn between(&self, from: f64, to: f64, tolerance: f64) -> Vec<Segment> {
+        self.path((from, self.at_clearance(from)), (to, self.at_clearance(to)), from <= to, tolerance)
+    }
+
+    /// The whole edge as lines and arcs, upwards or downwards; see [`EdgeCurve::between`]. It serves edges of constant
+    /// clearance too.
+    pub fn whole(&self, upward: bool, tolerance: f64) -> Vec<Segment> {
+        let end = |v: Vertex| (v.clearance, v.point);
+        let (low, high) = (end(self.low), end(self.high));
+        if upward { self.path(low, high, true, tolerance) } else { self.path(high, low, false, tolerance) }
+    }
+
+    /// The part between two points given with their clearances.
+    pub(super) fn path(&self, from: (f64, Point), to: (f64, Point), upward: bool, tolerance: f64) -> Vec<Segment> {
+        let (start, end) = (from.1, to.1);
+        if start == end {
+            return Vec::new();
+        }
+        if self.is_straight() {
+            return vec![Segment::line(start, end)];
+        }
+        if let Some(arc) = self.circular(start, end, upward) {
+            return vec![Segment::Arc(arc)];
+        }
+        let mut points = vec![start];
+        self.chords(from, to, tolerance, CHORD_DEPTH, &mut points);
+        points.windows(2).filter(|w| w[0] != w[1]).map(|w| Segment::line(w[0], w[1])).collect()
+    }
+
+    /// Whether the edge is a straight line.
+    fn is_straight(&self) -> bool {
+        self.is_spoke()
+            || matches!((self.right, self.left), (Carrier::Line(..), Carrier::Line(..)))
+            || matches!((self.right, self.left), (Carrier::Point(_), Carrier::Point(_)))
+    }
+
+    /// Whether clearance grows like length: the edge leads straight away from both sites.
+    fn is_spoke(&self) -> bool {
+        let rise = self.high.clearance - self.low.clearance;
+        rise >= (1.0 - SPOKE_RATE) * self.low.point.distance(self.high.point)
+    }
+
+    /// The arc of constant clearance between concentric sites; `upward` tells which of them lies to the right.
+    fn circular(&self, start: Point, end: Point, upward: bool) -> Option<Arc> {
+        let ((right, right_ccw), (left, left_ccw)) = (self.right.center()?, self.left.center()?);
+        let constant = self.high.clearance - self.low.clearance <= CROSSING * self.scale();
+        let concentric = right.distance(left) <= CROSSING * self.scale();
+        let ccw = if upward { right_ccw } else { left_ccw };
+        let radius = start.distance(right).midpoint(end.distance(right));
+        (constant && concentric && radius > 0.0).then_some(Arc { start, end, center: right, radius, ccw })
+    }
+
+    fn chords(&self, a: (f64, Point), b: (f64, Point), tolerance: f64, depth: usize, out: &mut Vec<Point>) {
+        let clearance = a.0.midpoint(b.0);
+        let middle = self.at_clearance(clearance);
+        let off = Segment::line(a.1, b.1).distance(middle);
+        if depth == 0 || (off <= 0.5 * tolerance && depth < CHORD_DEPTH) {
+            out.push(b.1);
+        } else {
+            self.chords(a, (clearance, middle), tolerance, depth - 1, out);
+            self.chords((clearance, middle), b, tolerance, depth - 1, out);
+        }
+    }
+
+    /// The point of the chord at the share of the way that `d` has of the clearance.
+    fn chord(&self, d: f64) -> Point {
+        let rise = self.high.clearance - self.low.clearance;
+        self.low.point.lerp(self.high.point, (d - self.low.clearance) / rise)
+    }
+
+    fn closed_form(&self, d: f64) -> Point {
+        if self.is_straight() && !matches!((self.right, self.left), (Carrier::Point(_), Carrier::Point(_))) {
+            return self.chord(d);
+        }
+        let (base, axis, offset) = match (self.right.parallel(d), self.left.parallel(d)) {
+            (Parallel::Line(p, u), Parallel::Circle(c, r)) | (Parallel::Circle(c, r), Parallel::Line(p, u)) => {
+                let foot = p + u * u.dot(c - p);
+                let height = foot.distance(c);
+                (foot, u.left(), (r - height) * (r + height))
+            }
+            (Parallel::Circle(c, r), Parallel::Circle(k, s)) => {
+                let apart = c.distance(k);
+                let axis = (k - c) / apart;
+                let along = 0.5 * (apart + (r - s) * (r + s) / apart);
+                (c + axis * along, axis, (r - along) * (r + along))
+            }
+            (Parallel::Line(..), Parallel::Line(..)) => return self.chord(d),
+        };
+        let aside = offset.max(0.0).sqrt();
+        let side = |p: Point| axis.cross(p - base);
+        let (low, high) = (side(self.low.point), side(self.high.point));
+        let side = if low.abs() > high.abs() { low } else { high };
+        base + axis.left() * aside.copysign(side)
+    }
+
+    fn polished(&self, mut x: Point, d: f64) -> Point {
+        for _ in 0..POLISH {
+            let (right, left) = (d - self.right.distance(x), d - self.left.distance(x));
+            let step = self.step(x, right, left);
+            if !(step.length_squared() > 0.0 && step.length() <= self.low.point.distance(self.high.point)) {
+                break;
+            }
+            let next = x + step;
+            if self.error(next, d) >= self.error(x, d) {
+                break;
+            }
+            x = next;
+        }
+        x
+    }
+
+    /// The least displacement that changes the two distances by these amounts. The half sum and half difference of the
+    /// gradients are orthogonal, so one serves clearance and the other keeps to the bisector.
+    fn step(&self, x: Point, right: f64, left: f64) -> Vec2 {
+        let (g, h) = (self.right.gradient(x), self.left.gradient(x));
+        share((g + h) * 0.5, 0.5 * (right + left)) + share((g - h) * 0.5, 0.5 * (right - left))
+    }
+
+    /// Bisection on the chord's parameter, each point brought to the bisector across the chord.
+    fn bisected(&self, d: f64) -> Point {
+        let (mut below, mut above) = (0.0, 1.0);
+        for _ in 0..BISECTIONS {
+            let t = f64::midpoint(below, above);
+            if self.clearance(self.on_bisector(t)) < d { below = t } else { above = t }
+        }
+        self.on_bisector(f64::midpoint(below, above))
+    }
+
+    fn on_bisector(&self, t: f64) -> Point {
+        let mut x = self.low.point.lerp(self.high.point, t);
+        for _ in 0..POLISH {
+            let off = 0.5 * (self.left.distance(x) - self.right.distance(x));
+            x = x + self.step(x, off, -off);
+        }
+        x
+    }
+
+    fn clearance(&self, x: Point) -> f64 {
+        self.right.distance(x).midpoint(self.left.distance(x))
+    }
+
+    fn error(&self, x: Point, d: f64) -> f64 {
+        (self.right.distance(x) - d).abs().max((self.left.distance(x) - d).abs())
+    }
+
+    /// Whether `x` is as near to both end vertices as they are to each other.
+    fn within(&self, x: Point) -> bool {
+        let length = self.low.point.distance(self.high.point) * (1.0 + CROSSING) + CROSSING * self.scale();
+        x.distance(self.low.point) <= length && x.distance(self.high.point) <= length
+    }
+
+    fn scale(&self) -> f64 {
+        self.high.clearance + self.low.point.distance(self.high.point)
+    }
+}
+
+/// The half-edge of a pair that leads towards larger clearance; of equal ends, the even one.
+pub fn upward(skeleton: &Skeleton, edge: EdgeId) -> EdgeId {
+    let even = edge & !1;
+    if skeleton.origin_clearance(even) <= skeleton.target_clearance(even) { even } else { even | 1 }
+}
+
+/// The multiple of `gradient` that changes a distance with that gradient by `amount`; none where it says nothing.
+fn share(gradient: Vec2, amount: f64) -> Vec2 {
+    let squared = gradient.length_squared();
+    if squared > GRADIENT { gradient * (amount / squared) } else { Vec2::ZERO }
+}

@@ -1,0 +1,92 @@
+//! Cells: feet run forward around each, and their areas add up to the region's.
+//!
+//! A cell's area is computed from its own site: over a wall it is the integral of h − κh²/2 along the wall, h being
+//! the distance from the foot to the edge above it and κ the curvature (positive towards the pocket); about a reflex
+//! vertex it is the integral of h²/2 over the angle. Nothing telescopes from one cell to the next, so an edge that is
+//! wrong, missing or counted twice shows.
+
+use super::element::Element;
+use super::feet::End;
+use super::report::{Element as Part, FaultKind};
+use super::{Judge, Skeleton};
+use crate::quadrature;
+use crate::skeleton::{EdgeId, SiteId};
+use crate::tolerance;
+
+impl Judge<'_> {
+    pub(super) fn check_cells(&mut self) {
+        let mut total = 0.0;
+        for site in 0..self.skeleton.sites().len() as SiteId {
+            total += self.check_cell(site);
+        }
+        let area = self.region.area();
+        self.report.area_error = ((total - area) / area).abs();
+        if self.report.area_error.is_nan() || self.report.area_error > self.options.area {
+            let place = self.region.bbox().center();
+            self.fault(FaultKind::Area, Part::Whole, place, self.report.area_error);
+        }
+    }
+
+    /// Checks that feet run forward, and returns the cell's area.
+    fn check_cell(&mut self, site: SiteId) -> f64 {
+        let s = self.skeleton;
+        let element = self.elements[site as usize];
+        let mut area = 0.0;
+        let mut at = 0.0;
+        for e in s.cell(site) {
+            let from = self.foot(e, End::Origin);
+            let to = self.foot(e, End::Target);
+            self.check_forward(e, End::Origin, at, from);
+            self.check_forward(e, End::Target, from, to);
+            // At the site's centre of curvature the foot sweeps while the vertex stands still.
+            area += flat_area(&element, s.origin_clearance(e), from - at);
+            area += self.area_below(e, from, to);
+            at = to;
+        }
+        area
+    }
+
+    /// On the way to one end of `e` the foot moved from `before` to `after`.
+    fn check_forward(&mut self, e: EdgeId, end: End, before: f64, after: f64) {
+        let x = self.end_point(e, end);
+        let element = &self.elements[self.skeleton.site(e) as usize];
+        let other = if end == End::Target { self.origin_point(e) } else { x };
+        let size = self.size();
+        let slack = element.foot_slack(x, size).max(element.foot_slack(other, size));
+        let back = (before - after) / slack;
+        self.report.worst_backwards = self.report.worst_backwards.max(back);
+        if back > self.options.foot {
+            self.fault(FaultKind::FeetBackwards, Part::Edge(e), x, back);
+        }
+    }
+
+    /// Area between the site right of `e` and this edge, whose feet run from `from` to `to`.
+    fn area_below(&self, e: EdgeId, from: f64, to: f64) -> f64 {
+        let s = self.skeleton;
+        let element = &self.elements[s.site(e) as usize];
+        let across = &self.elements[s.site(Skeleton::twin(e)) as usize];
+        let [low, high] = {
+            let (u, v) = (s.origin_clearance(e), s.target_clearance(e));
+            [u.min(v), u.max(v)]
+        };
+        if element.length_of(to - from, high) <= tolerance::CHECK_FOOT * self.size() {
+            return flat_area(element, 0.5 * (low + high), to - from);
+        }
+        let slack = self.options.clearance * self.size();
+        quadrature::integrate(from, to, tolerance::QUADRATURE, |p| {
+            let h = across.tangent_radius(&element.at(p));
+            // Clearance is monotone along the edge: outside these bounds it is rounding, or a fault reported elsewhere.
+            let h = if h.is_finite() { h.clamp(low - slack, high + slack) } else { 0.5 * (low + high) };
+            density(element, h)
+        })
+    }
+}
+
+/// Area for each unit of the parameter below height h.
+fn density(element: &Element, h: f64) -> f64 {
+    element.curvature().map_or(0.5 * h * h, |k| h - 0.5 * k * h * h)
+}
+
+fn flat_area(element: &Element, h: f64, width: f64) -> f64 {
+    density(element, h) * width
+}
