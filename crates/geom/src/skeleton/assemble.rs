@@ -211,7 +211,8 @@ fn insert_vertex(component: &mut Component, previous: &mut Vec<EdgeId>, h: EdgeI
 /// lie opposite one another.
 fn apexes(a: &Element, b: &Element, v0: Vertex, v1: Vertex) -> [Option<Vertex>; 2] {
     let mut found = [None, None];
-    if a.is_line() && b.is_line() {
+    let is_short = (v1.point - v0.point).length() <= tol::FOOT;
+    if is_short || (a.is_line() && b.is_line()) {
         return found;
     }
     let feet = opposite_feet(a, b);
