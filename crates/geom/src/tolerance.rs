@@ -34,6 +34,12 @@ pub const ANGLE: f64 = 1e-9;
 /// its radius is a guess.
 pub const LARGEST_BULGE: f64 = 1e5;
 
+/// A bulge below this is none: the edge bows by less than a billionth of its length.
+pub const FLAT_BULGE: f64 = 1e-9;
+
+/// The least weight of a spline's control point, as a share of the largest: below it the curve is a number's accident.
+pub const LEAST_WEIGHT: f64 = 1e-9;
+
 /// How far a drawing's normal may lean from the z axis, as the sine of the angle, and still be flat.
 pub const FLAT_NORMAL: f64 = 1e-6;
 
