@@ -95,8 +95,8 @@ pub const CHECK_AREA: f64 = 1e-9;
 pub const CHECK_SMOOTH_TURN: f64 = 2e-5;
 
 /// Nearer than this, *relative*, to an element's centre of curvature the skeleton's check takes the foot there as
-/// undefined: an error of a rounding unit would turn it by more than 1e-6.
-pub const CHECK_FLOATING: f64 = 1e-9;
+/// undefined: its direction is rounding.
+pub const CHECK_FLOATING: f64 = 1e-14;
 
 /// Relative error of numerical integration: a thousandth of what the cells' areas are held to.
 pub const QUADRATURE: f64 = 1e-12;

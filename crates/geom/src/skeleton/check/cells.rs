@@ -74,6 +74,11 @@ impl Judge<'_> {
         let ends = [self.origin_point(e), self.target_point(e)];
         let straight = self.is_straight(e);
         let (u, v) = (s.origin_clearance(e), s.target_clearance(e));
+        match element.curvature() {
+            None if straight => return 0.5 * (ends[1] - element.ends()[0]).cross(ends[0] - element.ends()[0]),
+            Some(0.0) if straight => return 0.5 * (u + v) * (to - from),
+            _ => {}
+        }
         let slack = self.options.clearance * self.size();
         quadrature::integrate(from, to, tolerance::QUADRATURE, |p| {
             let foot = element.at(p);
