@@ -4,6 +4,7 @@
 
 mod around;
 pub mod bbox;
+pub mod chain;
 pub mod contour;
 pub mod distance;
 pub mod index;
@@ -14,7 +15,6 @@ pub mod point;
 pub mod predicates;
 pub mod quadrature;
 pub mod ray;
-pub mod quadrature;
 pub mod region;
 pub mod repair;
 pub mod segment;

@@ -12,39 +12,6 @@ pub const JOIN: f64 = 0.011;
 /// How far an arc that replaces a free-form curve may lie from it, mm.
 pub const FIT: f64 = 0.001;
 
-/// Tolerances of the skeleton's construction, *relative*: it computes in a frame scaled to size 0.5 … 1.
-pub mod skeleton {
-    /// A disk is empty if no site reaches deeper into it than this. Some ten times the rounding of a distance.
-    pub const EMPTY: f64 = 1e-12;
-    /// Residual of a vertex at which no refinement can gain any more: a few units of rounding.
-    pub const EXACT: f64 = 1e-15;
-    /// Residual up to which a closed-form vertex is believed; above it the bracketed search takes over.
-    pub const RESIDUAL: f64 = 3e-13;
-    /// How far outside its element's extent the foot of a vertex may fall: feet are the worst-conditioned
-    /// numbers (an error of the clearance by `e` moves a foot by `sqrt(e)` at nearly tangent contacts).
-    pub const FOOT: f64 = 1e-9;
-    /// Contacts nearer to one another than this count as being in order around the disk.
-    pub const ORDER: f64 = 1e-18;
-    /// Newton steps on the three gaps of a vertex.
-    pub const NEWTON_STEPS: usize = 2;
-    /// Turn between two lines, radians, below which their joint is smooth: the clearance on its normal is then off by
-    /// at most an eighth of the square.
-    pub const SMOOTH_LINES: f64 = 1e-5;
-    /// Turn, radians, below which a joint with an arc is smooth.
-    pub const SMOOTH_ARCS: f64 = 1e-9;
-    /// Turn from a cusp of angle 0 or 2π, radians, below which curvature and not direction tells which it is.
-    pub const CUSP: f64 = 1e-9;
-    /// Two disks nearer to one another than this are one vertex of higher degree, verified already.
-    pub const SAME_DISK: f64 = 1e-14;
-    /// Where the growth of a disk from a contact starts, and where it is given up: nothing is larger than the frame.
-    pub const FIRST_PROBE: f64 = 1.0 / 1024.0;
-    /// No disk inside the region is as large as this.
-    pub const LARGEST_DISK: f64 = 2.0;
-    /// Corrections of a guess before the bracketed search takes over; two or three are usual.
-    pub const GUESSES: usize = 200;
-    /// Width, of an interval from 0 to 1, at which a bisection has converged.
-    pub const BISECTION: f64 = 1e-18;
-}
 /// Share of the fit tolerance within which a curve counts as straight, or two arcs as one: a line or an arc in its
 /// place then costs nothing that the tolerance would notice.
 pub const STRAIGHT_SHARE: f64 = 1e-3;
@@ -127,82 +94,6 @@ pub const CHECK_FLOATING: f64 = 1e-9;
 
 /// Relative error of numerical integration: a hundred rounding units.
 pub const QUADRATURE: f64 = 1e-14;
-/// Offset segments shorter than this are dropped and their ends merged, *relative*: some thousand times the rounding
-/// of coordinates, so that what goes is noise, and a thousandth of what an offset may be off.
-pub const OFFSET_DROP: f64 = 1e-12;
-
-/// Skeleton edges whose clearance changes by no more than this are constant, *relative*: above the rounding of
-/// clearances, below any taper that a drawing means.
-pub const PLATEAU: f64 = 1e-11;
-
-/// One minus the rate at which clearance grows along an edge, below which the edge runs straight away from its sites
-/// (a spoke, or the bisector at a joint that is smooth but for rounding).
-pub const SPOKE_RATE: f64 = 1e-9;
-
-/// Squared half sum or half difference of two unit gradients below which a Newton step along it says nothing.
-pub const GRADIENT: f64 = 1e-14;
-
-/// A crossing whose clearance is off by more than this is sought again by bisection, *relative*: a hundredth of what
-/// an offset may be off.
-pub const CROSSING: f64 = 1e-9;
-
-/// A tool may enter a channel that is narrower than it by twice this, mm: a twentieth of [`GOUGE`], and more than the
-/// rounding of drawings with four decimals moves a wall.
-pub const FIT_SLACK: f64 = 1e-4;
-
-/// [`FIT_SLACK`] as a share of the offset distance, for tools so small that it would count.
-pub const FIT_SLACK_SHARE: f64 = 1e-4;
-
-/// Ends of degenerate paths shorter than this share of the offset distance are left out: the disk at their root covers
-/// their disks but for slivers thinner than what may stay uncut.
-pub const SPUR_SHARE: f64 = 1e-3;
-
-/// How far the end of a straight step towards a wall may miss the loop that it leads to, *relative*: what offsets may be
-/// off, ten times over.
-pub const LANDING: f64 = 1e-6;
-
-/// A landing this near to the end of a loop's segment is moved there, *relative*: it would leave a piece shorter than what
-/// offsets may be off, of which an arc could turn round.
-pub const LANDING_SNAP: f64 = 1e-8;
-
-/// Tolerances of the skeleton's construction, *relative*: it computes in a frame scaled to size 0.5 … 1.
-pub mod skeleton {
-    /// A disk is empty if no site reaches deeper into it than this. Some ten times the rounding of a distance.
-    pub const EMPTY: f64 = 1e-12;
-    /// Residual of a vertex at which no refinement can gain any more: a few units of rounding.
-    pub const EXACT: f64 = 1e-15;
-    /// Residual up to which a closed-form vertex is believed; above it the bracketed search takes over.
-    pub const RESIDUAL: f64 = 3e-13;
-    /// How far outside its element's extent the foot of a vertex may fall: feet are the worst-conditioned
-    /// numbers (an error of the clearance by `e` moves a foot by `sqrt(e)` at nearly tangent contacts).
-    pub const FOOT: f64 = 1e-9;
-    /// The same for vertices in closed form; where their feet are worse, the bracketed search looks again.
-    pub const EXTENT: f64 = 1e-11;
-    /// Contacts nearer to one another than this count as being in order around the disk.
-    pub const ORDER: f64 = 1e-18;
-    /// Newton steps on the three gaps of a vertex.
-    pub const NEWTON_STEPS: usize = 2;
-    /// How far a disk on the normal of a joint that counts as smooth may miss one of its curves.
-    pub const SMOOTH_ERROR: f64 = 1e-12;
-    /// Turn, radians, below which every joint is smooth: the rounding of directions.
-    pub const SMOOTH_LEAST: f64 = 1e-9;
-    /// Turn, radians, above which none is.
-    pub const SMOOTH_MOST: f64 = 1e-5;
-    /// Turn from a cusp of angle 0 or 2π, radians, below which curvature and not direction tells which it is.
-    pub const CUSP: f64 = 1e-9;
-    /// Two disks nearer to one another than this are one vertex of higher degree, verified already.
-    pub const SAME_DISK: f64 = 1e-14;
-    /// Where the growth of a disk from a contact starts, and where it is given up: nothing is larger than the frame.
-    pub const FIRST_PROBE: f64 = 1.0 / 1024.0;
-    /// No disk inside the region is as large as this.
-    pub const LARGEST_DISK: f64 = 2.0;
-    /// Steps along the wall from an element to the one that owns a contact: reflex vertex and cut pieces between.
-    pub const HOPS: usize = 6;
-    /// Corrections of a guess before the bracketed search takes over; two or three are usual.
-    pub const GUESSES: usize = 200;
-    /// Width, of an interval from 0 to 1, at which a bisection has converged.
-    pub const BISECTION: f64 = 1e-18;
-}
 
 /// Offset segments shorter than this are dropped and their ends merged, *relative*: some thousand times the rounding
 /// of coordinates, so that what goes is noise, and a thousandth of what an offset may be off.
@@ -276,31 +167,6 @@ pub mod proof {
     pub const CUSP: f64 = 1e-6;
 }
 
-/// Share of the fit tolerance within which a curve counts as straight, or two arcs as one: a line or an arc in its
-/// place then costs nothing that the tolerance would notice.
-pub const STRAIGHT_SHARE: f64 = 1e-3;
-
-/// Control points of a curve nearer than this share of its extent are one place: rounding, not a direction.
-pub const COINCIDENT_CONTROL: f64 = 1e-9;
-
-/// A joint of curves that turns by more than this is a corner that the drawing means, radians; less is a smooth joint
-/// written with few decimals.
-pub const KINK: f64 = 1e-3;
-
-/// An ellipse whose axes differ by no more than this share of their length, or are no further from square, is a
-/// circle: ten times what a chain of rotations and scales in double precision leaves.
-pub const CIRCULAR: f64 = 1e-9;
-
-/// Angles of a drawing nearer than this are the same, radians: the last decimals that CAD systems write.
-pub const ANGLE: f64 = 1e-9;
-
-/// The steepest bulge that a drawing may have: the arc then lacks less than 1/400 of a degree of a full turn and
-/// its radius is a guess.
-pub const LARGEST_BULGE: f64 = 1e5;
-
-/// How far a drawing's normal may lean from the z axis, as the sine of the angle, and still be flat.
-pub const FLAT_NORMAL: f64 = 1e-6;
-
 /// How far the start and end radii of a planned arc may differ, mm: a tenth of what control units check, so that
 /// rounding has room.
 pub const ARC_RADII: f64 = 1e-4;
@@ -346,3 +212,42 @@ pub const SAME_HEIGHT: f64 = 1e-6;
 
 /// Two curves that turn back on one another within this angle make a cusp, where the sign of the turn tells nothing.
 pub const CUSP: f64 = 1e-6;
+
+/// Tolerances of the skeleton's construction, *relative*: it computes in a frame scaled to size 0.5 … 1.
+pub mod skeleton {
+    /// A disk is empty if no site reaches deeper into it than this. Some ten times the rounding of a distance.
+    pub const EMPTY: f64 = 1e-12;
+    /// Residual of a vertex at which no refinement can gain any more: a few units of rounding.
+    pub const EXACT: f64 = 1e-15;
+    /// Residual up to which a closed-form vertex is believed; above it the bracketed search takes over.
+    pub const RESIDUAL: f64 = 3e-13;
+    /// How far outside its element's extent the foot of a vertex may fall: feet are the worst-conditioned
+    /// numbers (an error of the clearance by `e` moves a foot by `sqrt(e)` at nearly tangent contacts).
+    pub const FOOT: f64 = 1e-9;
+    /// The same for vertices in closed form; where their feet are worse, the bracketed search looks again.
+    pub const EXTENT: f64 = 1e-11;
+    /// Contacts nearer to one another than this count as being in order around the disk.
+    pub const ORDER: f64 = 1e-18;
+    /// Newton steps on the three gaps of a vertex.
+    pub const NEWTON_STEPS: usize = 2;
+    /// How far a disk on the normal of a joint that counts as smooth may miss one of its curves.
+    pub const SMOOTH_ERROR: f64 = 1e-12;
+    /// Turn, radians, below which every joint is smooth: the rounding of directions.
+    pub const SMOOTH_LEAST: f64 = 1e-9;
+    /// Turn, radians, above which none is.
+    pub const SMOOTH_MOST: f64 = 1e-5;
+    /// Turn from a cusp of angle 0 or 2π, radians, below which curvature and not direction tells which it is.
+    pub const CUSP: f64 = 1e-9;
+    /// Two disks nearer to one another than this are one vertex of higher degree, verified already.
+    pub const SAME_DISK: f64 = 1e-14;
+    /// Where the growth of a disk from a contact starts, and where it is given up: nothing is larger than the frame.
+    pub const FIRST_PROBE: f64 = 1.0 / 1024.0;
+    /// No disk inside the region is as large as this.
+    pub const LARGEST_DISK: f64 = 2.0;
+    /// Steps along the wall from an element to the one that owns a contact: reflex vertex and cut pieces between.
+    pub const HOPS: usize = 6;
+    /// Corrections of a guess before the bracketed search takes over; two or three are usual.
+    pub const GUESSES: usize = 200;
+    /// Width, of an interval from 0 to 1, at which a bisection has converged.
+    pub const BISECTION: f64 = 1e-18;
+}
