@@ -34,6 +34,12 @@ pub const ANGLE: f64 = 1e-9;
 /// its radius is a guess.
 pub const LARGEST_BULGE: f64 = 1e5;
 
+/// A bulge below this is none: the edge bows by less than a billionth of its length.
+pub const FLAT_BULGE: f64 = 1e-9;
+
+/// The least weight of a spline's control point, as a share of the largest: below it the curve is a number's accident.
+pub const LEAST_WEIGHT: f64 = 1e-9;
+
 /// How far a drawing's normal may lean from the z axis, as the sine of the angle, and still be flat.
 pub const FLAT_NORMAL: f64 = 1e-6;
 
@@ -77,8 +83,8 @@ pub const CHECK_CLEARANCE: f64 = 1e-8;
 /// with three digits to spare above rounding.
 pub const CHECK_TIGHT: f64 = 1e-11;
 
-/// How far, *relative*, a foot may miss its site's extent or run backwards in the skeleton's check. Clearance feels
-/// only the square of such a slip.
+/// How far, *relative*, a foot may miss its site's extent or run backwards in the skeleton's check, wherever clearance
+/// can feel it: it feels a slip s by s²/2r, so that vertices are known no better along a bottleneck.
 pub const CHECK_FOOT: f64 = 1e-8;
 
 /// By how much, as a part of it, the areas of the Voronoi cells may miss the region's in the skeleton's check.
@@ -92,8 +98,8 @@ pub const CHECK_SMOOTH_TURN: f64 = 2e-5;
 /// undefined: an error of a rounding unit would turn it by more than 1e-6.
 pub const CHECK_FLOATING: f64 = 1e-9;
 
-/// Relative error of numerical integration: a hundred rounding units.
-pub const QUADRATURE: f64 = 1e-14;
+/// Relative error of numerical integration: a thousandth of what the cells' areas are held to.
+pub const QUADRATURE: f64 = 1e-12;
 
 /// Offset segments shorter than this are dropped and their ends merged, *relative*: some thousand times the rounding
 /// of coordinates, so that what goes is noise, and a thousandth of what an offset may be off.
