@@ -250,6 +250,10 @@ pub mod skeleton {
     pub const FIRST_PROBE: f64 = 1.0 / 1024.0;
     /// No disk inside the region is as large as this.
     pub const LARGEST_DISK: f64 = 2.0;
+    /// Extrema that stand out by less are none: nearly constant clearance has its apexes anywhere.
+    pub const LEVEL: f64 = 1e-10;
+    /// A neighbour on the wall may own the contact of a disk that misses it by no more than this.
+    pub const REACH: f64 = 1e-7;
     /// Steps along the wall from an element to the one that owns a contact: reflex vertex and cut pieces between.
     pub const HOPS: usize = 6;
     /// Corrections of a guess before the bracketed search takes over; two or three are usual.
