@@ -1,9 +1,9 @@
 //! Cells of a square grid that lie wholly within what a disc sweeps: a quick yes for most of the interior.
 
-use pocketry_geom::{BBox, Point, Segment};
+use pocketry_geom::{BBox, Point, Segment, Vec2, vec2};
 
 /// Cells to the disc's radius.
-const CELLS_PER_RADIUS: f64 = 4.0;
+const CELLS_PER_RADIUS: f64 = 3.0;
 
 /// Never more cells than this.
 const MOST_CELLS: f64 = 16_000_000.0;
@@ -32,10 +32,10 @@ impl Cells {
             let length = curve.length();
             let start = curve.start();
             if last.is_none_or(|l| l.distance(start) > 0.0) && last.is_none_or(|l| l.distance(start) + length >= size) {
-                let steps = (length / size).ceil().max(1.0);
-                for k in 0..=steps as usize {
-                    cells.mark(curve.at(k as f64 / steps), radius);
-                }
+                points(curve, (length / size) as usize + 1, |p| {
+                    cells.mark(p, radius);
+                    true
+                });
                 last = Some(curve.end());
             }
         }
@@ -100,16 +100,34 @@ impl Cells {
     /// Whether a curve lies in swept cells as a whole.
     pub(crate) fn hold_curve(&self, curve: &Segment) -> bool {
         let length = curve.length();
-        let steps = (2.0 * length / self.size).ceil().max(1.0);
+        let steps = (2.0 * length / self.size) as usize + 1;
+        let step = length / steps as f64;
         // An arc strays from its chord by no more than an eighth of the squared length times the curvature.
-        let stray = curve.curvature().abs() * (length / steps) * (length / steps);
+        let stray = curve.curvature().abs() * step * step;
         let mut from = curve.start();
-        (1..=steps as usize).all(|k| {
-            let to = curve.at(k as f64 / steps);
+        points(curve, steps, |to| {
             let held = self.hold(BBox::of(from, to).inflated(stray));
             from = to;
             held
         })
+    }
+}
+
+/// Calls `visit` for the ends of a curve and the points that divide it evenly, until it says to stop; whether it never did.
+fn points(curve: &Segment, steps: usize, mut visit: impl FnMut(Point) -> bool) -> bool {
+    let count = steps as f64;
+    match curve {
+        Segment::Line(l) => (0..=steps).all(|k| visit(l.start.lerp(l.end, k as f64 / count))),
+        Segment::Arc(a) => {
+            let turn = Vec2::from_angle(a.sweep() / count);
+            let mut spoke = a.start - a.center;
+            let inner = (0..steps).all(|_| {
+                let p = a.center + spoke;
+                spoke = vec2(spoke.x * turn.x - spoke.y * turn.y, spoke.x * turn.y + spoke.y * turn.x);
+                visit(p)
+            });
+            inner && visit(a.end)
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::gcode::Trace;
 use pocketry_geom::tolerance::GOUGE;
 use pocketry_geom::tolerance::proof::{COVER_PER_RADIUS, FLATNESS, GOUGE_PER_RADIUS, ROUNDING};
-use pocketry_geom::{BBox, Region};
+use pocketry_geom::{BBox, Point, Region, Segment};
 use serde::Serialize;
 
 /// What the proof may take for granted about the control's path mode.
@@ -64,7 +64,8 @@ pub struct Budget {
     pub cover: f64,
     /// By how much a place must be wider than the tool, on either side, before the tool is expected there.
     pub reach: f64,
-    /// Bound of the rounding in one computed distance; always taken to the program's disadvantage.
+    /// Bound of the rounding in one computed distance, the misfit of the region's arcs included; always taken to the
+    /// program's disadvantage.
     pub rounding: f64,
     /// How far arcs that are judged as their chords may lie from them; taken to the program's disadvantage.
     pub flat: f64,
@@ -73,7 +74,7 @@ pub struct Budget {
 impl Budget {
     pub(crate) fn new(region: &Region, trace: &Trace, options: &VerifyOptions) -> Self {
         let curves = trace.curves.iter().fold(region.bbox(), |b, c| b.union(c.bbox()));
-        let rounding = ROUNDING * largest(curves).max(options.tool_radius);
+        let rounding = ROUNDING * largest(curves).max(options.tool_radius) + misfit(region);
         let precision = ROUNDING * largest(region.bbox());
         let per_radius = GOUGE_PER_RADIUS * options.tool_radius;
         let written = if trace.resolution.is_finite() { trace.resolution } else { 0.0 };
@@ -81,6 +82,18 @@ impl Budget {
         let cover = options.cover_tolerance.unwrap_or_else(|| gouge.max(COVER_PER_RADIUS * options.tool_radius));
         Self { gouge, cover, reach: gouge.min(cover), rounding, flat: FLATNESS * gouge.min(cover) }
     }
+}
+
+/// How far ends of the region's arcs lie off their circles: drawings round their numbers.
+fn misfit(region: &Region) -> f64 {
+    let of = |s: &Segment| match s {
+        Segment::Line(_) => 0.0,
+        Segment::Arc(a) => {
+            let off = |p: Point| (p.distance(a.center) - a.radius).abs();
+            off(a.start).max(off(a.end))
+        }
+    };
+    region.segments().map(of).fold(0.0, f64::max)
 }
 
 /// The largest coordinate of a box, in absolute value.
