@@ -6,8 +6,8 @@
 //! ```
 
 use pocketry_cam::{EntryKind, Plan, PlanError, PocketJob, plan};
-use pocketry_geom::repair::{self, RepairOptions};
 use pocketry_geom::distance::Boundary;
+use pocketry_geom::repair::{self, RepairOptions};
 use pocketry_geom::skeleton::Skeleton;
 use pocketry_geom::skeleton::Vertex;
 use pocketry_geom::{Arc, Contour, Point, Region, Segment};
