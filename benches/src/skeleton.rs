@@ -4,9 +4,9 @@
 
 use boostvoronoi::prelude::Builder;
 use peak_alloc::PeakAlloc;
-use pocketry_geom::offset::voronoi::VoronoiOffsetter;
-use pocketry_geom::offset::OffsetOptions;
 use pocketry_geom::Region;
+use pocketry_geom::offset::OffsetOptions;
+use pocketry_geom::offset::voronoi::VoronoiOffsetter;
 use pocketry_geom::skeleton::Skeleton;
 use pocketry_testkit::{Loops, corpus, shapes};
 use std::error::Error;
@@ -26,7 +26,10 @@ struct Cost {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    println!("{:<22} {:>8} {:>10} {:>8} {:>8} {:>12}", "smooth with islands", "edges", "skeleton s", "µs/edge", "MB", "one offset s");
+    println!(
+        "{:<22} {:>8} {:>10} {:>8} {:>8} {:>12}",
+        "smooth with islands", "edges", "skeleton s", "µs/edge", "MB", "one offset s"
+    );
     let lines = ladder(false)?;
     let arcs = ladder(true)?;
     for (name, costs) in [("lines", &lines), ("arcs", &arcs)] {

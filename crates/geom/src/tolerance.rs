@@ -236,12 +236,9 @@ pub mod skeleton {
     pub const ORDER: f64 = 1e-18;
     /// Newton steps on the three gaps of a vertex.
     pub const NEWTON_STEPS: usize = 2;
-    /// How far a disk on the normal of a joint that counts as smooth may miss one of its curves.
-    pub const SMOOTH_ERROR: f64 = 1e-12;
-    /// Turn, radians, below which every joint is smooth: the rounding of directions.
-    pub const SMOOTH_LEAST: f64 = 1e-9;
-    /// Turn, radians, above which none is.
-    pub const SMOOTH_MOST: f64 = 1e-5;
+    /// Turn, radians, below which a joint is smooth: the spoke then stands for both normals, and the feet of the two
+    /// cells, whose directions it mixes up, miss by no more than half of it.
+    pub const SMOOTH: f64 = 1e-9;
     /// Turn from a cusp of angle 0 or 2π, radians, below which curvature and not direction tells which it is.
     pub const CUSP: f64 = 1e-9;
     /// Two disks nearer to one another than this are one vertex of higher degree, verified already.
@@ -250,6 +247,10 @@ pub mod skeleton {
     pub const FIRST_PROBE: f64 = 1.0 / 1024.0;
     /// No disk inside the region is as large as this.
     pub const LARGEST_DISK: f64 = 2.0;
+    /// Extrema that stand out by less are none: nearly constant clearance has its apexes anywhere.
+    pub const LEVEL: f64 = 1e-10;
+    /// A neighbour on the wall may own the contact of a disk that misses it by no more than this.
+    pub const REACH: f64 = 1e-7;
     /// Steps along the wall from an element to the one that owns a contact: reflex vertex and cut pieces between.
     pub const HOPS: usize = 6;
     /// Corrections of a guess before the bracketed search takes over; two or three are usual.

@@ -111,9 +111,8 @@ impl Boundary {
     /// The elements of one contour; segment by segment, each followed by the reflex vertex at its end, if it is one.
     fn ring(&mut self, contour: u32, segments: &[Segment]) -> Ring {
         let mut ring = Ring::with_capacity(segments.len() + 8);
-        let size = 1.0 / self.frame.scale;
         let first_corner = self.corners.len() as u32;
-        let closing = classify(&segments[segments.len() - 1], &segments[0], size);
+        let closing = classify(&segments[segments.len() - 1], &segments[0]);
         let mut joint = closing;
         self.corner(segments[0].start(), joint);
         let mut corner = first_corner;
@@ -126,7 +125,7 @@ impl Boundary {
             self.site(shape_of(segment), contour, k as u32);
             ring.push((element, junction));
             let next = (k + 1) % segments.len();
-            joint = if next == 0 { closing } else { classify(segment, &segments[next], size) };
+            joint = if next == 0 { closing } else { classify(segment, &segments[next]) };
             corner = if next == 0 { first_corner } else { self.corner(segments[next].start(), joint) };
             if let Joint::Reflex(n0, n1) = joint {
                 ring.push((self.reflex(segment.end(), n0, n1), Junction::Spoke(corner, n0)));

@@ -1,7 +1,8 @@
 //! The boundary of one pocket as a single cycle of elements: islands are joined to it by bridges.
 //!
-//! From each island's leftmost point a disk grows to the left until it touches something else. It can't touch its own
-//! island, and its contact lies further left, so the bridges form a tree. Each bridge runs from the point over the
+//! From each island's outermost point in a fixed direction a disk grows that way until it touches something else. It
+//! can't touch its own island, and its contact lies further out, so the bridges form a tree. The direction is one that
+//! drawings have no edges along, so that the bridges seldom end at joints. Each bridge runs from the point over the
 //! disk's centre to the contact; walking round the outer contour and, at every bridge, round the island behind it gives
 //! one cycle. Both elements at a bridge are cut there, even into pieces of zero extent, so that no owner of an end has
 //! to be guessed; the pieces are joined again when the skeleton is assembled.
@@ -36,6 +37,9 @@ pub(super) struct Cycle {
     /// For each bridge the first element behind it and the first one after the way back over it.
     pub(super) crossings: Vec<(u32, u32)>,
 }
+
+/// The direction of bridges: of length 1 exactly, and askew to what people draw.
+const OUT: Vec2 = vec2(-0.936, -0.352);
 
 /// A foot on an element with the inner normal there.
 type Foot = (Point, Vec2);
@@ -151,7 +155,7 @@ impl Bridging {
     /// Grow the disk of one island and note the cuts at both of its contacts.
     fn bridge(&mut self, heap: &BoxHeap, island: u32) {
         let ring = self.ring_of(island);
-        let (element, foot) = self.leftmost(ring.clone());
+        let (element, foot) = self.outermost(ring.clone());
         let all = (0, self.elements.len() as u32 - 1);
         let at = |radius: f64| Disk { center: foot.0 + foot.1 * radius, radius };
         let mut disk = at(tol::FIRST_PROBE);
@@ -183,19 +187,20 @@ impl Bridging {
         self.disks.push(disk);
     }
 
-    /// The leftmost point of a ring, on the element that owns the normal there.
-    fn leftmost(&self, ring: std::ops::Range<u32>) -> (u32, Foot) {
-        let west = vec2(-1.0, 0.0);
-        let (mut best, mut best_x) = ((ring.start, (self.elements[ring.start as usize].start, west)), f64::INFINITY);
+    /// The outermost point of a ring, on the element that owns the normal there.
+    fn outermost(&self, ring: std::ops::Range<u32>) -> (u32, Foot) {
+        let start = self.elements[ring.start as usize].start;
+        let (mut best, mut reach) = ((ring.start, (start, OUT)), f64::NEG_INFINITY);
         for k in ring {
             let e = &self.elements[k as usize];
             let mut offer = |foot: Foot, bonus: f64| {
-                if foot.0.x - bonus < best_x {
-                    (best, best_x) = ((k, foot), foot.0.x - bonus);
+                let out = foot.0.to_vec().dot(OUT) + bonus;
+                if out > reach {
+                    (best, reach) = ((k, foot), out);
                 }
             };
             match e.carrier {
-                Carrier::Outside if e.covers(west) => offer((e.foot_with_normal(west), west), tol::EMPTY),
+                Carrier::Outside if e.covers(OUT) => offer((e.foot_with_normal(OUT), OUT), tol::EMPTY),
                 _ => {
                     offer((e.start, e.n0), 0.0);
                     offer((e.end, e.n1), 0.0);
