@@ -168,7 +168,7 @@ impl<'a> Bridging<'a> {
                 (None, None) if disk.radius > tol::LARGEST_DISK => break,
                 (None, None) => disk = at(2.0 * disk.radius),
                 (Some((k, _)), _) => {
-                    let radius = closed_pencil_radius(&self.rings.elements[k as usize], foot.0, foot.1);
+                    let radius = closed_pencil_radius(&self.rings.elements[k as usize], foot.0, Vec2::ZERO, foot.1);
                     let stuck = contact.is_some() && radius >= disk.radius;
                     contact = Some(k);
                     if stuck {
@@ -304,14 +304,14 @@ fn clamped_foot(e: &Element, center: Point) -> Foot {
     }
 }
 
-/// Radius of the disk that touches a curve at `foot` with normal `n` and the closed element.
-pub(super) fn closed_pencil_radius(e: &Element, foot: Point, n: Vec2) -> f64 {
-    let radius = e.pencil_radius(foot, n);
-    if radius >= -tol::EMPTY && radius.is_finite() && e.faces(foot + n * radius, tol::EMPTY) {
+/// Radius of the disk that touches a curve at `base + offset` with normal `n` and the closed element.
+pub(super) fn closed_pencil_radius(e: &Element, base: Point, offset: Vec2, n: Vec2) -> f64 {
+    let radius = e.pencil_radius_near(base, offset, n);
+    if radius >= -tol::EMPTY && radius.is_finite() && e.faces(base + (offset + n * radius), tol::EMPTY) {
         return radius.max(0.0);
     }
     let to_point = |p: Point| {
-        let w = p - foot;
+        let w = p - base - offset;
         let reach = w.dot(n);
         if reach > 0.0 { 0.5 * w.length_squared() / reach } else { f64::INFINITY }
     };

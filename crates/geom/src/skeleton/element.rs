@@ -221,15 +221,22 @@ impl Element {
     /// one division. Negative, infinite or NaN where there is none.
     #[inline]
     pub(super) fn pencil_radius(&self, foot: Point, n: Vec2) -> f64 {
+        self.pencil_radius_near(foot, Vec2::ZERO, n)
+    }
+
+    /// The same for the foot `base + offset`. Near a corner that the two curves share, `base`, everything follows from
+    /// the offset: an almost smooth corner would be lost in the rounding of coordinates.
+    #[inline]
+    pub(super) fn pencil_radius_near(&self, base: Point, offset: Vec2, n: Vec2) -> f64 {
         if self.carrier == Carrier::Inside {
-            let offset = foot - n * self.rho - self.center;
-            if offset.length_squared() <= tol::EMPTY * tol::EMPTY {
+            let apart = base + (offset - n * self.rho) - self.center;
+            if apart.length_squared() <= tol::EMPTY * tol::EMPTY {
                 // the same circle: its own disk
                 return -self.rho;
             }
         }
-        // powers from the nearer end: nothing cancels where the two curves meet in a corner
-        let (from_start, from_end) = (foot - self.start, foot - self.end);
+        // powers from the nearer end: nothing cancels where the two curves meet
+        let (from_start, from_end) = (base - self.start + offset, base - self.end + offset);
         let (from, n_end) = if from_start.length_squared() <= from_end.length_squared() {
             (from_start, self.n0)
         } else {

@@ -14,7 +14,7 @@ pub(super) fn third_contact(scene: &Scene, (a, b): (u32, u32), parent: Disk) -> 
 
 /// Start from a neighbour of `a` or `b`; each verification that finds a nearer element makes it the next guess.
 /// `None` where a closed form fails.
-fn guess_and_verify(scene: &Scene, (a, b): (u32, u32), parent: Disk) -> Option<(u32, Disk)> {
+pub(super) fn guess_and_verify(scene: &Scene, (a, b): (u32, u32), parent: Disk) -> Option<(u32, Disk)> {
     let elements = &scene.cycle.elements;
     let (mut c, mut disk) = first_guess(scene, (a, b), parent)?;
     for _ in 0..tol::GUESSES {
@@ -122,9 +122,9 @@ fn touching(scene: &Scene, (a, c, b): (u32, u32, u32), parent: Disk) -> Option<D
     best.map(|(_, disk)| disk)
 }
 
-/// No disk inside an arc is larger than it.
+/// No disk inside the region is larger than the frame, nor one inside an arc larger than it.
 fn inside_limit(e: [&Element; 3]) -> f64 {
-    e.iter().filter(|e| e.carrier == Carrier::Inside).map(|e| -e.rho + tol::EMPTY).fold(f64::INFINITY, f64::min)
+    e.iter().filter(|e| e.carrier == Carrier::Inside).map(|e| -e.rho + tol::EMPTY).fold(tol::LARGEST_DISK, f64::min)
 }
 
 /// Where two of the three meet in a spoke: its foot, its normal and the third element.
@@ -142,7 +142,7 @@ fn is_inside_between_spokes(e: [&Element; 3]) -> bool {
 }
 
 /// Twice the signed area of the triangle of contacts: positive where they follow one another counter-clockwise.
-fn contact_order(e: [&Element; 3], disk: Disk) -> f64 {
+pub(super) fn contact_order(e: [&Element; 3], disk: Disk) -> f64 {
     let [p, q, r] = e.map(|e| e.normal_at(disk.center) * -disk.radius);
     (q - p).cross(r - p)
 }
@@ -189,7 +189,7 @@ impl<'a> Pencil<'a> {
             (walker.foot(parent.center), n)
         };
         let turn = if walker.is_line() { 0.0 } else { signed_turn(walker, from.1, to.1, forward) };
-        let limit = inside_limit([walker, other, other]).min(tol::LARGEST_DISK);
+        let limit = inside_limit([walker, other, other]);
         Self { walker, other, from, to, turn, limit, parent }
     }
 
@@ -198,24 +198,24 @@ impl<'a> Pencil<'a> {
         self.turn == 0.0 && (self.from.0 - self.to.0).length_squared() == 0.0
     }
 
-    fn foot_at(&self, t: f64) -> (Point, Vec2) {
-        if t >= 1.0 {
-            self.to
-        } else if self.walker.is_line() {
-            (self.from.0.lerp(self.to.0, t), self.from.1)
-        } else {
-            let n = self.from.1.rotated(self.turn * t);
-            (self.from.0 + (n - self.from.1) * self.walker.rho, n)
+    /// How far the foot is from where the walk starts, and the normal there.
+    fn step_at(&self, t: f64) -> (Vec2, Vec2) {
+        if self.walker.is_line() {
+            return ((self.to.0 - self.from.0) * t, self.from.1);
         }
+        let (sin, cos) = (0.5 * self.turn * t).sin_cos();
+        let difference = (self.from.1.left() * cos - self.from.1 * sin) * (2.0 * sin);
+        (difference * self.walker.rho, self.from.1 + difference)
     }
 
     fn disk_at(&self, t: f64) -> Disk {
         if t <= 0.0 {
             return self.parent;
         }
-        let (foot, n) = self.foot_at(t);
-        let radius = closed_pencil_radius(self.other, foot, n).min(self.limit);
-        Disk { center: foot + n * radius, radius }
+        let (base, (offset, n)) =
+            if t >= 1.0 { (self.to.0, (Vec2::ZERO, self.to.1)) } else { (self.from.0, self.step_at(t)) };
+        let radius = closed_pencil_radius(self.other, base, offset, n).min(self.limit);
+        Disk { center: base + (offset + n * radius), radius }
     }
 }
 
@@ -241,7 +241,7 @@ fn bracketed(scene: &Scene, (a, b): (u32, u32), parent: Disk) -> (u32, Disk) {
         Junction::Spoke(_, normal) if a == 0 && b + 1 == scene.len() => Some((ea.start, normal)),
         _ => None,
     };
-    let limit = inside_limit([ea, eb, eb]).min(tol::LARGEST_DISK);
+    let limit = inside_limit([ea, eb, eb]);
     if let Some((foot, normal)) = spoke {
         let disk_at = |t: f64| Disk { center: foot + normal * (t * limit), radius: t * limit };
         return first_hit(scene, (a, b), disk_at, |_| f64::NEG_INFINITY, (a + 1, b - 1));
