@@ -76,9 +76,13 @@ impl Judge<'_> {
         best
     }
 
-    /// Whether the chord of an edge lies on the bisector of its sites.
+    /// Whether the chord of an edge lies on the bisector of its sites, or at least nearer to it than what feet tell:
+    /// along a spoke to the common centre of two arcs they tell nothing.
     pub(super) fn is_straight(&self, e: EdgeId) -> bool {
-        self.chord_sample(e, 0.5).mismatch <= self.options.tight * self.size()
+        let off = |s: Sample| s.mismatch.max(self.beyond_ends(e, s.r));
+        let chord = off(self.chord_sample(e, 0.5));
+        let by_feet = || off(self.pencil_sample(e, 0.5)).min(off(self.pencil_sample(Skeleton::twin(e), 0.5)));
+        chord <= self.options.tight * self.size() || chord <= by_feet()
     }
 
     /// How far the foot travels on the site right of `e`.

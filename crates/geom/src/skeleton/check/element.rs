@@ -133,7 +133,7 @@ impl Corner {
         let before = &segments[(k + segments.len() - 1) % segments.len()];
         let turn = turn_at(region, c, k);
         // A vertex named reflex whose turn rounds to +π is a needle: the fan is a half-turn.
-        let fan = if turn > 0.5 * PI { TAU - turn } else { -turn };
+        let fan = if turn > 0.5 * PI { TAU - turn } else { (-turn).max(0.0) };
         Self { point: segments[k].start(), from: before.end_tangent().left(), fan }
     }
 
