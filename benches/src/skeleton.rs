@@ -54,7 +54,10 @@ fn die(n: usize) -> Loops {
 }
 
 /// Edges, seconds of the skeleton, seconds of one offset.
-fn ladder(arcs: bool) -> Result<Vec<(usize, f64, f64)>, Box<dyn Error>> {
+/// Edges, seconds of the skeleton and of one offset.
+type Rung = (usize, f64, f64);
+
+fn ladder(arcs: bool) -> Result<Vec<Rung>, Box<dyn Error>> {
     let mut out = Vec::new();
     for n in [1_000, 10_000, 100_000] {
         let region = corpus::region(&shapes::smooth_with_islands(n, arcs))?;

@@ -165,14 +165,14 @@ fn walk(pieces: &[Segment], places: &Places, used: &mut [bool], from: usize, cha
     let mut end = from;
     while !std::mem::replace(&mut used[end / 2], true) {
         let piece = pieces[end / 2];
-        let forward = if end % 2 == 0 { piece } else { piece.reversed() };
+        let forward = if end.is_multiple_of(2) { piece } else { piece.reversed() };
         let (start, far) = (places.point(places.of(end)), places.point(places.of(end ^ 1)));
         segments.push(moved(forward, start, far));
         walked.push(end / 2);
         let there = places.ends(places.of(end ^ 1));
         let own = there.iter().position(|&e| e == end ^ 1);
         match own.and_then(|k| there.get(k ^ 1)) {
-            Some(&other) if there.len() % 2 == 0 => end = other,
+            Some(&other) if there.len().is_multiple_of(2) => end = other,
             _ => break,
         }
     }

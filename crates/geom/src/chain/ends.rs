@@ -144,5 +144,5 @@ impl Places {
 }
 
 fn point_of(pieces: &[Segment], end: usize) -> Point {
-    if end % 2 == 0 { pieces[end / 2].start() } else { pieces[end / 2].end() }
+    if end.is_multiple_of(2) { pieces[end / 2].start() } else { pieces[end / 2].end() }
 }

@@ -43,12 +43,13 @@ fn snap_one(arc: &mut Arc, cells: &mut HashMap<[i64; 3], Circle>, tolerance: f64
     let step = [0, 1, 2].map(|k| if numbers[k] / (2.0 * tolerance) - cell[k] < 0.5 { -1 } else { 1 });
     for corner in 0..8_i64 {
         let key = [0, 1, 2].map(|k| cell[k] as i64 + step[k] * ((corner >> k) & 1));
-        if let Some(c) = cells.get(&key) {
-            if c.center.distance(arc.center) <= tolerance && (c.radius - arc.radius).abs() <= tolerance {
-                arc.center = c.center;
-                arc.radius = c.radius;
-                return;
-            }
+        if let Some(c) = cells.get(&key)
+            && c.center.distance(arc.center) <= tolerance
+            && (c.radius - arc.radius).abs() <= tolerance
+        {
+            arc.center = c.center;
+            arc.radius = c.radius;
+            return;
         }
     }
     cells.entry(cell.map(|c| c as i64)).or_insert(Circle { center: arc.center, radius: arc.radius });

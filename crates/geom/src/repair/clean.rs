@@ -15,10 +15,10 @@ pub(super) fn check_numbers(loops: &[Contour]) -> Result<BBox, RegionError> {
             return Err(RegionError::NotFinite { contour, vertex: k as u32 });
         }
         let bbox = c.bbox();
-        if !bbox.is_empty() {
-            if let Some(at) = [bbox.min, bbox.max].into_iter().find(|p| p.x.abs().max(p.y.abs()) > ABSURD) {
-                return Err(RegionError::Absurd { contour, at });
-            }
+        if !bbox.is_empty()
+            && let Some(at) = [bbox.min, bbox.max].into_iter().find(|p| p.x.abs().max(p.y.abs()) > ABSURD)
+        {
+            return Err(RegionError::Absurd { contour, at });
         }
     }
     let bbox = bbox_of(loops);

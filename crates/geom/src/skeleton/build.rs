@@ -73,11 +73,11 @@ impl Skeleton {
         let cycle = Cycle::new(&boundary.rings);
         let draft = recursion::run(&cycle, &corners);
         let component = assemble(&cycle, draft, &boundary.rings.elements, &boundary.convex);
-        self.append(component, boundary);
+        self.append(&component, boundary);
     }
 
     /// Add a component, back in the drawing's frame; boundary vertices keep their exact places.
-    fn append(&mut self, component: Component, boundary: Boundary) {
+    fn append(&mut self, component: &Component, boundary: Boundary) {
         let (vertex_base, edge_base) = (self.vertices.len() as u32, self.half_edges.len() as u32);
         let site_base = self.sites.len() as u32;
         let frame = boundary.frame;

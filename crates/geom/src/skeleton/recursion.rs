@@ -46,6 +46,15 @@ impl Scene<'_> {
         self.cycle.elements.len() as u32
     }
 
+    /// The boundary vertex at which a junction's skeleton edge starts.
+    fn corner_at(&self, junction: u32) -> VertexId {
+        match self.cycle.junctions[junction as usize] {
+            Junction::Convex(v) | Junction::Spoke(v, _) => v,
+            // no vertex of its own: the two sides of a bridge are joined later
+            Junction::Bridge(_) => NONE,
+        }
+    }
+
     /// The place and radius at which a junction's skeleton edge starts.
     fn start_disk(&self, junction: u32) -> Disk {
         match self.cycle.junctions[junction as usize] {
@@ -60,14 +69,14 @@ pub(super) fn run(cycle: &Cycle, corners: &[Point]) -> Draft {
     let scene = Scene { cycle, heap: BoxHeap::new(&cycle.elements) };
     let n = scene.len();
     let mut draft = Draft::with_capacity(corners, n as usize);
-    let root = draft.add_edge(draft.junction_vertex(&scene, 0), 0, n - 1);
+    let root = draft.add_edge(scene.corner_at(0), 0, n - 1);
     draft.first[0] = root;
     draft.last[n as usize - 1] = root ^ 1;
     let mut stack = vec![Task { a: 0, b: n - 1, out: root, parent: scene.start_disk(0) }];
     while let Some(task) = stack.pop() {
         let Task { a, b, out, parent } = task;
         if b == a + 1 {
-            draft.half_edges[out as usize ^ 1].origin = draft.junction_vertex(&scene, b);
+            draft.half_edges[out as usize ^ 1].origin = scene.corner_at(b);
             draft.first[b as usize] = out ^ 1;
             draft.last[a as usize] = out;
             continue;
@@ -108,13 +117,5 @@ impl Draft {
         self.half_edges.push(HalfEdge { origin, next: NONE, site: a });
         self.half_edges.push(HalfEdge { origin: NONE, next: NONE, site: b });
         id
-    }
-
-    fn junction_vertex(&self, scene: &Scene, junction: u32) -> VertexId {
-        match scene.cycle.junctions[junction as usize] {
-            Junction::Convex(v) | Junction::Spoke(v, _) => v,
-            // no vertex of its own: the two sides of a bridge are joined later
-            Junction::Bridge(_) => NONE,
-        }
     }
 }

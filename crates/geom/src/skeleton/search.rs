@@ -175,18 +175,14 @@ struct Pencil<'a> {
 impl<'a> Pencil<'a> {
     fn new(walker: &'a Element, other: &'a Element, parent: Disk, forward: bool) -> Self {
         let to = if forward { (walker.end, walker.n1) } else { (walker.start, walker.n0) };
-        let n = walker.normal_at(parent.center);
         let (before, after) = walker.overshoot(parent.center);
-        let from = if forward && after > 0.0 {
+        let (behind, ahead) = if forward { (before, after) } else { (after, before) };
+        let from = if ahead > 0.0 {
             to
-        } else if !forward && before > 0.0 {
-            to
-        } else if forward && before > 0.0 {
-            (walker.start, walker.n0)
-        } else if !forward && after > 0.0 {
-            (walker.end, walker.n1)
+        } else if behind > 0.0 {
+            if forward { (walker.start, walker.n0) } else { (walker.end, walker.n1) }
         } else {
-            (walker.foot(parent.center), n)
+            (walker.foot(parent.center), walker.normal_at(parent.center))
         };
         let turn = if walker.is_line() { 0.0 } else { signed_turn(walker, from.1, to.1, forward) };
         let limit = inside_limit([walker, other, other]);

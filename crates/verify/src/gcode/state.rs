@@ -252,12 +252,11 @@ impl State {
         };
         let (from, to) = (place(start, end), place(end, start));
         let first = trace.curves.len() as u32;
-        let (slack, flat_length) = match mode {
-            Mode::Arc { ccw } => self.arc(block, (from.xy(), to.xy(), ccw), trace)?,
-            _ => {
-                trace.curves.push(Segment::line(from.xy(), to.xy()));
-                (0.0, from.xy().distance(to.xy()))
-            }
+        let (slack, flat_length) = if let Mode::Arc { ccw } = mode {
+            self.arc(block, (from.xy(), to.xy(), ccw), trace)?
+        } else {
+            trace.curves.push(Segment::line(from.xy(), to.xy()));
+            (0.0, from.xy().distance(to.xy()))
         };
         let rise = if from.z.is_finite() { to.z - from.z } else { 0.0 };
         let blending = self.blend(kind, line, trace);

@@ -237,11 +237,11 @@ fn raw_entity<'a>(groups: &mut Groups<'a>, at: &mut Group<'a>, section: &str) ->
 
 /// Adds the entity to an error that knows only its line.
 fn in_entity(mut error: ImportError, source: &Source) -> ImportError {
-    if let ImportError::Bad(fault) = &mut error {
-        if fault.place.entity.is_none() {
-            fault.place.entity = Some(source.entity.clone());
-            fault.place.layer = Some(source.layer.clone());
-        }
+    if let ImportError::Bad(fault) = &mut error
+        && fault.place.entity.is_none()
+    {
+        fault.place.entity = Some(source.entity.clone());
+        fault.place.layer = Some(source.layer.clone());
     }
     error
 }

@@ -124,10 +124,10 @@ impl Shape<'_, '_> {
 
 fn chain(points: &[Point], closed: bool) -> Subpath {
     let mut curves: Vec<Curve> = points.windows(2).filter(|w| w[0] != w[1]).map(|w| Curve::Line(w[0], w[1])).collect();
-    if let (true, Some(&first), Some(&last)) = (closed, points.first(), points.last()) {
-        if first != last {
-            curves.push(Curve::Line(last, first));
-        }
+    if let (true, Some(&first), Some(&last)) = (closed, points.first(), points.last())
+        && first != last
+    {
+        curves.push(Curve::Line(last, first));
     }
     Subpath { curves, closed }
 }
