@@ -1,5 +1,8 @@
 //! A skeleton does not depend on where, how large, which way round or which vertex first a region is drawn.
 
+use pocketry_geom::Segment;
+use pocketry_geom::offset::OffsetOptions;
+use pocketry_geom::offset::voronoi::VoronoiOffsetter;
 use pocketry_geom::skeleton::Skeleton;
 use pocketry_geom::skeleton::check::CheckOptions;
 use pocketry_testkit::{Loops, Transform, corpus, graph, shapes, strategies};
@@ -30,12 +33,38 @@ fn copies(loops: &Loops) -> Vec<(String, Transform)> {
     all
 }
 
+/// Offsets at shares of the largest clearance that no shape here has a pass or a peak at.
+fn same_offsets(a: &Skeleton, b: &Skeleton, transform: &Transform, tolerance: f64) -> Result<(), String> {
+    let (here, there) = (VoronoiOffsetter::new(a), VoronoiOffsetter::new(b));
+    let deepest = a.vertices().iter().map(|v| v.clearance).fold(0.0, f64::max);
+    for share in [0.0917, 0.3371, 0.7713] {
+        let d = share * deepest;
+        let x = here.offset(d, &OffsetOptions::default()).map_err(|e| e.to_string())?;
+        let y = there.offset(d * transform.scale, &OffsetOptions::default()).map_err(|e| e.to_string())?;
+        if x.loops.len() != y.loops.len() {
+            return Err(format!("{} loops at {d} became {}", x.loops.len(), y.loops.len()));
+        }
+        let images: Vec<Segment> = y.loops.iter().flat_map(|l| l.contour.segments.clone()).collect();
+        for segment in x.loops.iter().flat_map(|l| &l.contour.segments) {
+            for t in [0.0, 0.31, 0.62] {
+                let p = transform.apply_point(segment.at(t));
+                let off = images.iter().map(|s| s.distance(p)).fold(f64::INFINITY, f64::min);
+                if off > tolerance {
+                    return Err(format!("offset at {d} is {off:.1e} off at ({}, {})", p.x, p.y));
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
 fn holds_for_all_copies(loops: &Loops) -> Result<(), String> {
     let (original, size) = skeleton(loops)?;
     for (name, transform) in copies(loops) {
         let (image, _) = skeleton(&transform.apply(loops)).map_err(|e| format!("{name}: {e}"))?;
         let tolerance = 1e-8 * size * transform.scale;
         graph::same(&original, &image, &transform, tolerance).map_err(|e| format!("{name}: {e}"))?;
+        same_offsets(&original, &image, &transform, 10.0 * tolerance).map_err(|e| format!("{name}: {e}"))?;
     }
     Ok(())
 }
@@ -62,9 +91,10 @@ proptest! {
 
     #[test]
     fn random_regions(loops in strategies::region(), rotate in 0.0..6.0, start in 0..20_usize, mirror: bool, reverse: bool) {
-        let (original, size) = skeleton(&loops).map_err(TestCaseError::fail)?;
+        let failed = |e: String| TestCaseError::fail(format!("{e}\n{loops:?}"));
+        let (original, size) = skeleton(&loops).map_err(failed)?;
         let transform = Transform { rotate, start, mirror, reverse, translate: [40.0, -3.0], scale: 1.7 };
-        let (image, _) = skeleton(&transform.apply(&loops)).map_err(TestCaseError::fail)?;
-        graph::same(&original, &image, &transform, 1e-7 * size).map_err(TestCaseError::fail)?;
+        let (image, _) = skeleton(&transform.apply(&loops)).map_err(failed)?;
+        graph::same(&original, &image, &transform, 1e-7 * size).map_err(failed)?;
     }
 }

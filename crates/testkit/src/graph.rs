@@ -88,3 +88,26 @@ fn nearest(places: &[Point], p: Point) -> usize {
     let by_distance = |a: &Point, b: &Point| a.distance_squared(p).total_cmp(&b.distance_squared(p));
     places.iter().enumerate().min_by(|a, b| by_distance(a.1, b.1)).map_or(0, |(k, _)| k)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{corpus, shapes};
+
+    fn skeleton(radius: f64) -> Skeleton {
+        let loops = vec![shapes::ngon(5, 10.0, [0.0; 2]), shapes::ngon(3, radius, [0.0; 2])];
+        Skeleton::build(&corpus::region(&loops).unwrap()).unwrap()
+    }
+
+    #[test]
+    fn a_difference_is_seen() {
+        let plain = Transform::default();
+        let (a, b) = (skeleton(2.0), skeleton(2.001));
+        assert_eq!(same(&a, &a, &plain, 1e-6), Ok(()));
+        assert!(same(&a, &b, &plain, 1e-6).is_err());
+        // Sites match within this tolerance, vertices and edges then too: the shapes are the same at this scale.
+        assert_eq!(same(&a, &b, &plain, 0.1), Ok(()));
+        let turned = Transform { rotate: 0.1, ..plain };
+        assert!(same(&a, &a, &turned, 1e-6).is_err());
+    }
+}

@@ -87,9 +87,7 @@ fn epsilons_live_in_the_tolerance_module() {
     assert!(has_epsilon("if x < 1e-9 {") && has_epsilon("(2.5e-3)") && !has_epsilon("the-edge e-mail 1.0 e-1"));
     for path in all_sources().into_iter().filter(|p| !is_test(p) && !p.ends_with("geom/src/tolerance.rs")) {
         for (line, text) in code(&path) {
-            // A unit's definition is no tolerance.
-            let is_unit = path.ends_with("import/units.rs");
-            assert!(is_unit || !has_epsilon(&text), "{}:{line}: {}", path.display(), text.trim());
+            assert!(!has_epsilon(&text), "{}:{line}: {}", path.display(), text.trim());
         }
     }
 }
