@@ -49,6 +49,7 @@ fn plan_failure(error: &PlanError) -> Failure {
     let (exit, kind) = match error {
         PlanError::DoesNotFit { .. } => (Exit::BadInput, "does-not-fit"),
         PlanError::Job { .. } => (Exit::BadInput, "arguments"),
+        PlanError::Skeleton { .. } => (Exit::NotProven, "skeleton"),
         PlanError::Offset(_) => (Exit::NotProven, "offset"),
     };
     Failure::new(exit, kind, error)

@@ -48,6 +48,9 @@ pub fn plan(region: &Region, skeleton: &Skeleton, job: &PocketJob) -> Result<Pla
         let largest = (2.0 * (highest - job.stock_to_leave)).max(0.0);
         return Err(PlanError::DoesNotFit { diameter: job.tool.diameter, largest });
     }
+    if highest > region.bbox().size() {
+        return Err(PlanError::Skeleton { clearance: highest });
+    }
     if highest > MOST_LEVELS * stepover {
         return Err(PlanError::Job { what: "stepover", value: stepover });
     }

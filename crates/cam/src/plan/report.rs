@@ -29,6 +29,14 @@ pub enum PlanError {
         /// Largest diameter that fits somewhere, the stock to leave considered, mm.
         largest: f64,
     },
+    /// The skeleton contradicts the region; a fault of the program, not of the drawing.
+    #[error(
+        "the skeleton claims a clearance of {clearance} mm, more than the region measures; please report the drawing"
+    )]
+    Skeleton {
+        /// Largest clearance of its vertices, mm.
+        clearance: f64,
+    },
     /// The offsets failed.
     #[error(transparent)]
     Offset(#[from] OffsetError),
