@@ -53,7 +53,6 @@ fn die(n: usize) -> Loops {
     found.map_or_else(|| shapes::die_cavity(n), |r| r.loops)
 }
 
-/// Edges, seconds of the skeleton, seconds of one offset.
 /// Edges, seconds of the skeleton and of one offset.
 type Rung = (usize, f64, f64);
 
