@@ -251,6 +251,8 @@ pub mod skeleton {
     pub const LEVEL: f64 = 1e-10;
     /// A neighbour on the wall may own the contact of a disk that misses it by no more than this.
     pub const REACH: f64 = 1e-7;
+    /// Samples of a walk before it is bisected.
+    pub const SAMPLES: u32 = 24;
     /// Steps along the wall from an element to the one that owns a contact: reflex vertex and cut pieces between.
     pub const HOPS: usize = 6;
     /// Corrections of a guess before the bracketed search takes over; two or three are usual.

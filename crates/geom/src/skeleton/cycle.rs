@@ -211,7 +211,8 @@ impl<'a> Bridging<'a> {
 
     /// The element that owns the contact of a disk with `hit`: at an end it may be the reflex vertex there.
     fn owner(&self, hit: u32, center: Point) -> u32 {
-        let (before, after) = self.rings.elements[hit as usize].overshoot(center);
+        let e = &self.rings.elements[hit as usize];
+        let (before, after) = e.overshoot(center);
         if before <= 0.0 && after <= 0.0 {
             return hit;
         }
@@ -223,7 +224,7 @@ impl<'a> Bridging<'a> {
             let (before, after) = self.rings.elements[k as usize].overshoot(center);
             before.max(after)
         };
-        let neighbor = if before > after { previous } else { next };
+        let neighbor = if e.is_left_at_start(center) { previous } else { next };
         if over(neighbor) < before.max(after) { neighbor } else { hit }
     }
 

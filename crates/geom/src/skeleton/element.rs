@@ -152,10 +152,8 @@ impl Element {
             (before, after) = (-before, -after);
         }
         if self.wide {
-            // outside only where both half-planes are left
-            if before <= 0.0 || after <= 0.0 {
-                return (before.min(0.0) * scale, after.min(0.0) * scale);
-            }
+            // outside only where both half-planes are left; the nearer end counts
+            (before, after) = if before < after { (before, after.min(0.0)) } else { (before.min(0.0), after) };
         } else if self.is_behind(v) {
             let far = v.length() * scale;
             return (far, far);
@@ -168,6 +166,16 @@ impl Element {
     pub(super) fn faces(&self, p: Point, slack: f64) -> bool {
         let (before, after) = self.overshoot(p);
         before <= slack && after <= slack
+    }
+
+    /// Where the foot of `p` lies outside the extent: whether it is the start that it has left.
+    pub(super) fn is_left_at_start(&self, p: Point) -> bool {
+        if self.start == self.end {
+            let v = p - self.center;
+            v.dot(self.n0) >= v.dot(self.n1)
+        } else {
+            p.distance_squared(self.start) <= p.distance_squared(self.end)
+        }
     }
 
     /// Distance from `p` to the closed element.

@@ -14,7 +14,7 @@ pub(super) fn third_contact(scene: &Scene, (a, b): (u32, u32), parent: Disk) -> 
 
 /// Start from a neighbour of `a` or `b`; each verification that finds a nearer element makes it the next guess.
 /// `None` where a closed form fails.
-pub(super) fn guess_and_verify(scene: &Scene, (a, b): (u32, u32), parent: Disk) -> Option<(u32, Disk)> {
+fn guess_and_verify(scene: &Scene, (a, b): (u32, u32), parent: Disk) -> Option<(u32, Disk)> {
     let elements = &scene.cycle.elements;
     let (mut c, mut disk) = first_guess(scene, (a, b), parent)?;
     for _ in 0..tol::GUESSES {
@@ -55,12 +55,8 @@ fn facing_neighbor(scene: &Scene, (a, b): (u32, u32), mut c: u32, disk: Disk) ->
         if before <= tol::EXTENT && after <= tol::EXTENT {
             break;
         }
-        let is_at_start = if e.start == e.end {
-            before >= after
-        } else {
-            disk.center.distance_squared(e.start) <= disk.center.distance_squared(e.end)
-        };
-        let k = if is_at_start { scene.cycle.before_on_wall(c) } else { scene.cycle.after_on_wall(c) };
+        let k =
+            if e.is_left_at_start(disk.center) { scene.cycle.before_on_wall(c) } else { scene.cycle.after_on_wall(c) };
         let is_candidate = k > a && k < b;
         if !is_candidate || scene.cycle.elements[k as usize].distance(disk.center) > disk.radius + tol::REACH {
             break;
@@ -94,9 +90,8 @@ fn touching(scene: &Scene, (a, c, b): (u32, u32, u32), parent: Disk) -> Option<D
     }
     let mut spokes = spokes_among(scene, (a, c, b));
     if let Some((foot, normal, other)) = spokes.next() {
-        if spokes.next().is_some() && !is_inside_between_spokes(e) {
-            // the cells on both sides of a reflex vertex, of an arc seen from outside or of a line never meet there
-            return None;
+        if spokes.next().is_some() {
+            return between_spokes(e);
         }
         let other = &scene.cycle.elements[other as usize];
         let radius = other.pencil_radius(foot, normal);
@@ -136,13 +131,15 @@ fn spokes_among(scene: &Scene, (a, c, b): (u32, u32, u32)) -> impl Iterator<Item
     })
 }
 
-/// Two spokes meet only in the centre of an arc between them.
-fn is_inside_between_spokes(e: [&Element; 3]) -> bool {
-    e.iter().any(|e| e.carrier == Carrier::Inside)
+/// Two spokes meet only in the centre of an arc seen from inside that ends in both; those of a reflex vertex, of a line
+/// or of an arc seen from outside never do.
+fn between_spokes(e: [&Element; 3]) -> Option<Disk> {
+    let arcs = e.iter().filter(|e| e.carrier == Carrier::Inside);
+    arcs.map(|arc| Disk { center: arc.center, radius: -arc.rho }).find(|&disk| vertex::residual(e, disk) <= tol::FOOT)
 }
 
 /// Twice the signed area of the triangle of contacts: positive where they follow one another counter-clockwise.
-pub(super) fn contact_order(e: [&Element; 3], disk: Disk) -> f64 {
+fn contact_order(e: [&Element; 3], disk: Disk) -> f64 {
     let [p, q, r] = e.map(|e| e.normal_at(disk.center) * -disk.radius);
     (q - p).cross(r - p)
 }
@@ -271,31 +268,37 @@ fn first_hit(
     (beyond, neighbor): (u32, u32),
 ) -> (u32, Disk) {
     let elements = &scene.cycle.elements;
-    let range = (a + 1, b - 1);
-    let mut high = 1.0;
+    let hit_at = |t: f64| {
+        let disk = disk_at(t);
+        let bound = disk.radius - tol::EMPTY;
+        let hit = scene.heap.nearest(elements, (a + 1, b - 1), disk.center, bound).map(|(k, _)| k);
+        hit.or((overrun(disk) > tol::EMPTY).then_some(neighbor))
+    };
+    let (low, mut high) = first_blocked(|t| hit_at(t).is_some());
     let mut found = None;
     for _ in 0..tol::GUESSES {
-        let disk = disk_at(high);
-        let bound = disk.radius - tol::EMPTY;
-        let hit = scene.heap.nearest(elements, range, disk.center, bound).map(|(k, _)| k);
-        let hit = match hit {
-            Some(k) if found != Some(k) => k,
-            _ if overrun(disk) > tol::EMPTY && found != Some(neighbor) => neighbor,
-            _ => break,
-        };
+        let Some(hit) = hit_at(high).filter(|&k| found != Some(k)) else { break };
         let e = &elements[hit as usize];
         let depth = |t: f64| {
             let d = disk_at(t);
             let gap = e.distance(d.center) - d.radius;
             if hit == neighbor { gap.min(-overrun(d)) } else { gap }
         };
-        high = first_touch(depth, high);
+        high = first_touch(depth, low, high);
         found = Some(hit);
         if let Some(answer) = verified(scene, (a, b), hit, disk_at(high), disk_at(0.0)) {
             return answer;
         }
     }
     owner(scene, (a, b), found.unwrap_or(beyond), disk_at(high))
+}
+
+/// The first of some samples from 0 to 1 that is blocked (or the last) and the one before it. Behind a wall a disk may be
+/// empty again: bisection alone could end up there. Most walks end early, so the samples lie close there.
+fn first_blocked(is_blocked: impl Fn(f64) -> bool) -> (f64, f64) {
+    let sample = |k: u32| (f64::from(k) / f64::from(tol::SAMPLES)).powi(4);
+    let first = (1..tol::SAMPLES).find(|&k| is_blocked(sample(k))).unwrap_or(tol::SAMPLES);
+    (sample(first - 1), sample(first))
 }
 
 /// The disk in closed form that the bracket has come near to, if it is empty.
@@ -307,9 +310,8 @@ fn verified(scene: &Scene, (a, b): (u32, u32), hit: u32, near: Disk, parent: Dis
     hit.is_none().then_some((c, disk))
 }
 
-/// The least `t` up to `high` at which `depth` falls to 0, by bisection: `depth(0) >= 0 > depth(high)`.
-fn first_touch(depth: impl Fn(f64) -> f64, mut high: f64) -> f64 {
-    let mut low = 0.0;
+/// The `t` at which `depth` falls to 0, by bisection: `depth(low) >= 0 > depth(high)`.
+fn first_touch(depth: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     loop {
         let middle = 0.5 * (low + high);
         if high - low <= tol::BISECTION || middle <= low || middle >= high {
