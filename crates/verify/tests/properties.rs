@@ -49,7 +49,7 @@ fn stadium(half: f64, radius: f64) -> Contour {
 
 /// A stadium-shaped track round a stadium-shaped island.
 fn region(place: Place) -> Region {
-    let contours = vec![stadium(15.0, 20.0), stadium(15.0, 8.0).reversed()];
+    let contours = [stadium(15.0, 20.0), stadium(15.0, 8.0).reversed()];
     let moved = |c: &Contour| Contour::new(c.segments.iter().map(|s| place.of_segment(s)).collect());
     Region::from_parts_unchecked(contours.iter().map(moved).collect(), vec![None, Some(0)])
 }
