@@ -54,7 +54,8 @@ def interpreted(program):
         (where / "strict.ini").write_text(STRICT)
         (where / "tools.tbl").write_text(TOOLS)
         command = ["rs274", "-g", "-n", "2", "-i", "strict.ini", "-t", "tools.tbl", "-v", "fresh.var", os.path.abspath(program)]
-        run = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=300)
+        # A home of its own: the interpreter keeps its tools in a file there.
+        run = subprocess.run(command, cwd=folder, env=dict(os.environ, HOME=folder), stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=300)
         said = [line for line in run.stderr.splitlines() if not line.startswith("executing") and "updating variable" not in line]
         return program, run.returncode == 0, " ".join(said)[-300:]
 

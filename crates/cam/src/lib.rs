@@ -1,6 +1,6 @@
 //! Planning and linking: from a region, its skeleton and a job to a program of moves.
 //!
-//! [`plan`] cuts a pocket with contour-parallel loops, innermost first (tool path I of J. J. Chou and E. Cohen,
+//! [`plan()`] cuts a pocket with contour-parallel loops, innermost first (tool path I of J. J. Chou and E. Cohen,
 //! *Computing Offsets and Tool Paths With Voronoi Diagrams*, UUCS-89-017, University of Utah, 1990, algorithm 4.1). It guarantees
 //! that the tool's axis never comes nearer to a wall than its radius and the stock to leave, and that everything a tool
 //! of that radius can reach is cut.

@@ -7,7 +7,7 @@
 //!   --threads N      how many regions at a time (1)      --limit S      seconds a region may take (10)
 //!   --brute N        measure regions of up to N segments against every segment (500)
 //!   --samples N      points sampled within each edge (5)
-//!   --svg DIR        draw failing regions                --all          draw the others too
+//!   --svg DIR        draw and list failing ones            --all          draw the others too
 //!   --json DIR       write failing regions' loops        --minimise DIR write reduced loops that fail alike
 //!   --faults N       faults printed for each region (3)  --quiet        only the table
 //!   --give-up N      leave a file after N regions that ran into the limit (3)
@@ -20,6 +20,7 @@ use pocketry_testkit::corpus::{self, Record};
 use pocketry_testkit::minimise::minimise;
 use pocketry_testkit::{Loops, Transform, picture};
 use std::collections::BTreeMap;
+use std::fmt::Write as _;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -303,6 +304,24 @@ fn draw(record: &Record, outcome: &Outcome, options: &Options) {
     if let Ok(text) = drawn {
         write(folder, &record.id, "svg", &text);
     }
+    write(folder, &record.id, "txt", &listing(&skeleton));
+}
+
+/// Sites with the walks around their cells, and vertices, to read.
+fn listing(skeleton: &Skeleton) -> String {
+    let mut out = String::new();
+    for (k, site) in skeleton.sites().iter().enumerate() {
+        let steps: Vec<String> = skeleton
+            .cell(k as u32)
+            .take(100)
+            .map(|e| format!("v{} -e{e}(s{})-> v{}", skeleton.origin(e), skeleton.site(e ^ 1), skeleton.target(e)))
+            .collect();
+        let _ = writeln!(out, "s{k} {}/{} {:?}\n    {}", site.contour, site.segment, site.shape, steps.join("; "));
+    }
+    for (k, v) in skeleton.vertices().iter().enumerate() {
+        let _ = writeln!(out, "v{k} {:.17} {:.17} r {:e}", v.point.x, v.point.y, v.clearance);
+    }
+    out
 }
 
 fn write_loops(folder: &Path, id: &str, loops: &Loops) {

@@ -34,6 +34,12 @@ pub const ANGLE: f64 = 1e-9;
 /// its radius is a guess.
 pub const LARGEST_BULGE: f64 = 1e5;
 
+/// A bulge below this is none: the edge bows by less than a billionth of its length.
+pub const FLAT_BULGE: f64 = 1e-9;
+
+/// The least weight of a spline's control point, as a share of the largest: below it the curve is a number's accident.
+pub const LEAST_WEIGHT: f64 = 1e-9;
+
 /// How far a drawing's normal may lean from the z axis, as the sine of the angle, and still be flat.
 pub const FLAT_NORMAL: f64 = 1e-6;
 
@@ -77,8 +83,8 @@ pub const CHECK_CLEARANCE: f64 = 1e-8;
 /// with three digits to spare above rounding.
 pub const CHECK_TIGHT: f64 = 1e-11;
 
-/// How far, *relative*, a foot may miss its site's extent or run backwards in the skeleton's check. Clearance feels
-/// only the square of such a slip.
+/// How far, *relative*, a foot may miss its site's extent or run backwards in the skeleton's check, wherever clearance
+/// can feel it: it feels a slip s by s²/2r, so that vertices are known no better along a bottleneck.
 pub const CHECK_FOOT: f64 = 1e-8;
 
 /// By how much, as a part of it, the areas of the Voronoi cells may miss the region's in the skeleton's check.
@@ -89,11 +95,11 @@ pub const CHECK_AREA: f64 = 1e-9;
 pub const CHECK_SMOOTH_TURN: f64 = 2e-5;
 
 /// Nearer than this, *relative*, to an element's centre of curvature the skeleton's check takes the foot there as
-/// undefined: an error of a rounding unit would turn it by more than 1e-6.
-pub const CHECK_FLOATING: f64 = 1e-9;
+/// undefined: its direction is rounding.
+pub const CHECK_FLOATING: f64 = 1e-14;
 
-/// Relative error of numerical integration: a hundred rounding units.
-pub const QUADRATURE: f64 = 1e-14;
+/// Relative error of numerical integration: a thousandth of what the cells' areas are held to.
+pub const QUADRATURE: f64 = 1e-12;
 
 /// Offset segments shorter than this are dropped and their ends merged, *relative*: some thousand times the rounding
 /// of coordinates, so that what goes is noise, and a thousandth of what an offset may be off.
@@ -205,12 +211,9 @@ pub mod skeleton {
     pub const ORDER: f64 = 1e-18;
     /// Newton steps on the three gaps of a vertex.
     pub const NEWTON_STEPS: usize = 2;
-    /// How far a disk on the normal of a joint that counts as smooth may miss one of its curves.
-    pub const SMOOTH_ERROR: f64 = 1e-12;
-    /// Turn, radians, below which every joint is smooth: the rounding of directions.
-    pub const SMOOTH_LEAST: f64 = 1e-9;
-    /// Turn, radians, above which none is.
-    pub const SMOOTH_MOST: f64 = 1e-5;
+    /// Turn, radians, below which a joint is smooth: the spoke then stands for both normals, and the feet of the two
+    /// cells, whose directions it mixes up, miss by no more than half of it.
+    pub const SMOOTH: f64 = 1e-9;
     /// Turn from a cusp of angle 0 or 2π, radians, below which curvature and not direction tells which it is.
     pub const CUSP: f64 = 1e-9;
     /// Two disks nearer to one another than this are one vertex of higher degree, verified already.
@@ -219,6 +222,10 @@ pub mod skeleton {
     pub const FIRST_PROBE: f64 = 1.0 / 1024.0;
     /// No disk inside the region is as large as this.
     pub const LARGEST_DISK: f64 = 2.0;
+    /// Extrema that stand out by less are none: nearly constant clearance has its apexes anywhere.
+    pub const LEVEL: f64 = 1e-10;
+    /// A neighbour on the wall may own the contact of a disk that misses it by no more than this.
+    pub const REACH: f64 = 1e-7;
     /// Steps along the wall from an element to the one that owns a contact: reflex vertex and cut pieces between.
     pub const HOPS: usize = 6;
     /// Corrections of a guess before the bracketed search takes over; two or three are usual.

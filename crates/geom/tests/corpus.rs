@@ -1,6 +1,6 @@
 //! Regions of the shared corpus, where it is at hand: every one must build, with the area that its record says.
 
-use pocketry_geom::repair::{Healed, RegionError, RepairOptions, build};
+use pocketry_geom::repair::{Healed, Note, RegionError, RepairOptions, build};
 use pocketry_geom::{Contour, Region};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -71,4 +71,34 @@ fn every_region_of_the_corpus_builds_with_its_area() {
         }
     }
     assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
+}
+
+/// Loops that cross, touch or overlap: a region or a refusal, never a panic, and a region's area is the even-odd one
+/// where nothing was drawn twice.
+#[test]
+fn raw_loops_become_regions_or_are_refused() {
+    let Some(corpus) = corpus() else { return };
+    let (mut built, mut refused) = (0, 0);
+    for record in records(&corpus.join("raw.jsonl")) {
+        let id = record["id"].as_str().unwrap();
+        match heal(&record) {
+            Ok(healed) => {
+                built += 1;
+                assert_invariants(&healed.region, id);
+                assert!(!healed.notes.is_empty(), "{id} needs healing");
+                let (area, expected) = (healed.region.area(), record["area_fill_rule"].as_f64().unwrap());
+                let repeats = healed.notes.iter().any(|n| matches!(n, Note::Duplicate { .. }));
+                assert!(
+                    repeats || (area - expected).abs() < 2e-3 * expected,
+                    "{id}: area {area} instead of {expected}"
+                );
+            }
+            Err(e) => {
+                refused += 1;
+                assert!(matches!(e, RegionError::Crossing { .. } | RegionError::Nothing { .. }), "{id}: {e}");
+            }
+        }
+    }
+    println!("{built} built, {refused} refused");
+    assert_eq!(built + refused, 82);
 }

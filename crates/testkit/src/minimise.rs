@@ -95,6 +95,6 @@ mod tests {
         let square = |x: f64| vec![[x, 0.0, 0.3], [x + 1.0, 0.0, 0.0], [x + 1.0, 1.0, 0.0], [x, 1.0, 0.0]];
         let loops = vec![square(0.1), square(5.0), square(10.0)];
         let small = minimise(&loops, 10_000, |l| l.iter().flatten().any(|v| v[0] > 10.5 && v[1] > 0.5));
-        assert_eq!(small, [[[11.0, 1.0, 0.0]]]);
+        assert_eq!(small, [[[11.0, 1.0, 0.0], [10.0, 1.0, 0.0]]]);
     }
 }

@@ -76,11 +76,18 @@ pub(super) fn pieces(
         let mut rest = edge.segment;
         let first = pieces.len();
         while let Some((_, v)) = cut.next_if(|&(e, _)| e as usize == k) {
-            let (before, after) = rest.split_at(vertices.points[v as usize]);
-            add_piece(&mut pieces, &mut vertices, before, edge.contour, at, v);
-            (at, rest) = (v, after);
+            if vertices.find(v) != vertices.find(at) {
+                let (before, after) = rest.split_at(vertices.points[v as usize]);
+                add_piece(&mut pieces, &mut vertices, before, edge.contour, at, v);
+                (at, rest) = (v, after);
+            }
         }
-        add_piece(&mut pieces, &mut vertices, rest, edge.contour, at, next[k]);
+        let is_whole = at == k as u32;
+        if vertices.find(at) != vertices.find(next[k]) {
+            add_piece(&mut pieces, &mut vertices, rest, edge.contour, at, next[k]);
+        } else if is_whole {
+            add_turn(&mut pieces, &mut vertices, rest, edge.contour, at);
+        }
         if touched[k] {
             suspects.extend(first..pieces.len());
         }
@@ -133,20 +140,22 @@ fn way_along(segment: &Segment, p: Point) -> f64 {
     }
 }
 
-/// Adds a piece unless it has shrunk to a point; an arc that has become a full turn is halved.
+/// Adds a piece between two different vertices, its ends moved there.
 fn add_piece(out: &mut Vec<Piece>, vertices: &mut Vertices, segment: Segment, contour: u32, from: u32, to: u32) {
     let (from, to) = (vertices.find(from), vertices.find(to));
-    let ends = |v: &Vertices| (v.points[from as usize], v.points[to as usize]);
-    if from != to {
-        let (start, end) = ends(vertices);
-        out.push(Piece { segment: with_ends(segment, start, end), contour, from, to });
-    } else if let Segment::Arc(a) = segment {
+    let (start, end) = (vertices.points[from as usize], vertices.points[to as usize]);
+    out.push(Piece { segment: with_ends(segment, start, end), contour, from, to });
+}
+
+/// Adds the halves of an arc whose ends have become one vertex, unless all of it has shrunk to that.
+fn add_turn(out: &mut Vec<Piece>, vertices: &mut Vertices, segment: Segment, contour: u32, vertex: u32) {
+    if let Segment::Arc(a) = segment {
         let middle = segment.at(0.5);
         if middle.distance(a.start) > a.radius {
             let half = vertices.add(middle);
             let (before, after) = segment.split_at(middle);
-            add_piece(out, vertices, before, contour, from, half);
-            add_piece(out, vertices, after, contour, half, to);
+            add_piece(out, vertices, before, contour, vertex, half);
+            add_piece(out, vertices, after, contour, half, vertex);
         }
     }
 }

@@ -10,6 +10,7 @@ use crate::index::SegmentIndex;
 use crate::point::Point;
 use crate::ray::leftmost;
 use crate::segment::Segment;
+use crate::tolerance::TANGENT;
 
 /// For each piece whether the interior lies to its left.
 pub(super) fn interior_left(pieces: &[Piece], fans: &Fans, index: &SegmentIndex) -> Result<Vec<bool>, RegionError> {
@@ -60,9 +61,11 @@ fn components(pieces: &[Piece], fans: &Fans) -> (Vec<u32>, Vec<(Point, usize)>) 
 /// A dart of the component and the side to its left, given the side to the left of the leftmost point `at` on `piece`.
 fn first_side(pieces: &[Piece], fans: &Fans, at: Point, piece: usize, inside: bool) -> (Dart, bool) {
     let Piece { segment, from, to, .. } = pieces[piece];
-    let vertex = if at == segment.start() {
+    // Where an arc's leftmost point all but coincides with its end, the order around that vertex decides better.
+    let near = if let Segment::Arc(a) = segment { TANGENT * a.radius } else { 0.0 };
+    let vertex = if at.distance(segment.start()) <= near {
         from
-    } else if at == segment.end() {
+    } else if at.distance(segment.end()) <= near {
         to
     } else {
         // The leftmost point of an arc's inside: a counter-clockwise arc runs downwards there.

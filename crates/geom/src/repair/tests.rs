@@ -263,3 +263,22 @@ fn messages_count_from_one_and_name_the_place() {
     let note = heal(vec![rectangle(), circle(30.0, 10.0, 10.0)]).notes[0].to_string();
     assert_eq!(note, "contours 1 and 2 touch at (30.0000, 0.0000): taken as they are");
 }
+
+#[test]
+fn a_joint_of_two_arcs_on_the_inside_of_a_third_cuts_it_once() {
+    let upright = contour(&[[62.5, 25.0, -1.0], [62.5, 12.5, -1.0]]);
+    for loops in [vec![circle(75.0, 18.75, 6.25), upright.clone()], vec![upright, circle(75.0, 18.75, 6.25)]] {
+        let healed = heal(loops);
+        assert_eq!(healed.region.edge_count(), 5);
+        assert!((healed.region.area() - 2.0 * 6.25_f64.powi(2) * std::f64::consts::PI).abs() < 1e-9);
+        assert_eq!(healed.region.parents(), [None, None]);
+    }
+}
+
+#[test]
+fn an_arc_that_leaves_the_leftmost_corner_along_a_wall_does_not_turn_the_region_inside_out() {
+    let b = -0.414_213_562_373_095_03;
+    let healed = heal(vec![contour(&[[2.0, 5.0, -1.0], [2.0, 0.0, 0.0], [2.0, 5.0, b], [3.0, 4.0, b]])]);
+    assert!(healed.region.contains(point(3.5, 2.5)) && !healed.region.contains(point(2.5, 4.5)));
+    assert_eq!(healed.region.parents(), [None]);
+}

@@ -211,14 +211,16 @@ fn insert_vertex(component: &mut Component, previous: &mut Vec<EdgeId>, h: EdgeI
 /// lie opposite one another.
 fn apexes(a: &Element, b: &Element, v0: Vertex, v1: Vertex) -> [Option<Vertex>; 2] {
     let mut found = [None, None];
-    if a.is_line() && b.is_line() {
+    let is_short = (v1.point - v0.point).length() <= tol::FOOT;
+    if is_short || (a.is_line() && b.is_line()) {
         return found;
     }
     let feet = opposite_feet(a, b);
     for (foot, n) in feet.into_iter().flatten() {
         let radius = b.pencil_radius(foot, n);
         let point = foot + n * radius;
-        let extreme = radius < v0.clearance.min(v1.clearance) || radius > v0.clearance.max(v1.clearance);
+        let extreme = radius < v0.clearance.min(v1.clearance) - tol::LEVEL
+            || radius > v0.clearance.max(v1.clearance) + tol::LEVEL;
         let between = [(a, v0, v1), (b, v1, v0)]
             .iter()
             .all(|(e, from, to)| advance(e, from.point, point) > 0.0 && advance(e, point, to.point) > 0.0);

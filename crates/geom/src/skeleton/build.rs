@@ -1,7 +1,7 @@
 //! The construction from end to end: frame, sites, cycle, recursion, assembly.
 
 use super::assemble::{Component, assemble};
-use super::cycle::{Cycle, Junction, Ring};
+use super::cycle::{Cycle, Junction, Rings};
 use super::element::Element;
 use super::joints::{Joint, classify};
 use super::recursion;
@@ -63,14 +63,16 @@ impl Skeleton {
 
     fn add_pocket(&mut self, region: &Region, pocket: &Pocket) {
         let frame = Frame::of(region, pocket);
-        let mut boundary = Boundary::new(frame);
         let contours = std::iter::once(pocket.outer).chain(pocket.islands.iter().copied());
-        let rings = contours.map(|c| boundary.ring(c, &region.contours()[c as usize].segments)).collect::<Vec<_>>();
-        let sites: Vec<Element> = rings.iter().flatten().map(|(e, _)| *e).collect();
+        let edges = contours.clone().map(|c| region.contours()[c as usize].segments.len()).sum();
+        let mut boundary = Boundary::new(frame, edges);
+        for c in contours {
+            boundary.add_ring(c, &region.contours()[c as usize].segments);
+        }
         let corners: Vec<Point> = boundary.corners.iter().map(|&p| frame.enter(p)).collect();
-        let cycle = Cycle::new(rings);
+        let cycle = Cycle::new(&boundary.rings);
         let draft = recursion::run(&cycle, &corners);
-        let component = assemble(&cycle, draft, &sites, &boundary.convex);
+        let component = assemble(&cycle, draft, &boundary.rings.elements, &boundary.convex);
         self.append(component, boundary);
     }
 
@@ -97,6 +99,7 @@ impl Skeleton {
 /// Sites and boundary vertices of one pocket, collected contour by contour.
 struct Boundary {
     frame: Frame,
+    rings: Rings,
     sites: Vec<Site>,
     /// Boundary vertices in the drawing's frame.
     corners: Vec<Point>,
@@ -104,16 +107,24 @@ struct Boundary {
 }
 
 impl Boundary {
-    fn new(frame: Frame) -> Self {
-        Self { frame, sites: Vec::new(), corners: Vec::new(), convex: Vec::new() }
+    fn new(frame: Frame, edges: usize) -> Self {
+        // reflex vertices are sites too; about half of all corners in what people draw
+        let sites = edges + edges / 2;
+        let rings =
+            Rings { elements: Vec::with_capacity(sites), junctions: Vec::with_capacity(sites), starts: vec![0] };
+        Self {
+            frame,
+            rings,
+            sites: Vec::with_capacity(sites),
+            corners: Vec::with_capacity(edges),
+            convex: Vec::with_capacity(edges),
+        }
     }
 
     /// The elements of one contour; segment by segment, each followed by the reflex vertex at its end, if it is one.
-    fn ring(&mut self, contour: u32, segments: &[Segment]) -> Ring {
-        let mut ring = Ring::with_capacity(segments.len() + 8);
-        let size = 1.0 / self.frame.scale;
+    fn add_ring(&mut self, contour: u32, segments: &[Segment]) {
         let first_corner = self.corners.len() as u32;
-        let closing = classify(&segments[segments.len() - 1], &segments[0], size);
+        let closing = classify(&segments[segments.len() - 1], &segments[0]);
         let mut joint = closing;
         self.corner(segments[0].start(), joint);
         let mut corner = first_corner;
@@ -124,16 +135,21 @@ impl Boundary {
             };
             let element = self.element(segment);
             self.site(shape_of(segment), contour, k as u32);
-            ring.push((element, junction));
+            self.push(element, junction);
             let next = (k + 1) % segments.len();
-            joint = if next == 0 { closing } else { classify(segment, &segments[next], size) };
+            joint = if next == 0 { closing } else { classify(segment, &segments[next]) };
             corner = if next == 0 { first_corner } else { self.corner(segments[next].start(), joint) };
             if let Joint::Reflex(n0, n1) = joint {
-                ring.push((self.reflex(segment.end(), n0, n1), Junction::Spoke(corner, n0)));
+                self.push(self.reflex(segment.end(), n0, n1), Junction::Spoke(corner, n0));
                 self.site(SiteShape::Point(segment.end()), contour, next as u32);
             }
         }
-        ring
+        self.rings.starts.push(self.rings.elements.len() as u32);
+    }
+
+    fn push(&mut self, element: Element, junction: Junction) {
+        self.rings.elements.push(element);
+        self.rings.junctions.push(junction);
     }
 
     fn corner(&mut self, p: Point, joint: Joint) -> u32 {

@@ -1,7 +1,8 @@
 //! The boundary of one pocket as a single cycle of elements: islands are joined to it by bridges.
 //!
-//! From each island's leftmost point a disk grows to the left until it touches something else. It can't touch its own
-//! island, and its contact lies further left, so the bridges form a tree. Each bridge runs from the point over the
+//! From each island's outermost point in a fixed direction a disk grows that way until it touches something else. It
+//! can't touch its own island, and its contact lies further out, so the bridges form a tree. The direction is one that
+//! drawings have no edges along, so that the bridges seldom end at joints. Each bridge runs from the point over the
 //! disk's centre to the contact; walking round the outer contour and, at every bridge, round the island behind it gives
 //! one cycle. Both elements at a bridge are cut there, even into pieces of zero extent, so that no owner of an end has
 //! to be guessed; the pieces are joined again when the skeleton is assembled.
@@ -22,8 +23,16 @@ pub(super) enum Junction {
     Bridge(u32),
 }
 
-/// The contour's elements in order, each with the junction at its start.
-pub(super) type Ring = Vec<(Element, Junction)>;
+/// The boundary of a pocket before its islands are joined to it: the outer ring first, ring by ring in one array.
+#[derive(Debug, Default)]
+pub(super) struct Rings {
+    /// Whole elements; element `k` is site `k` of the pocket.
+    pub(super) elements: Vec<Element>,
+    /// `junctions[k]` lies at the start of element `k`.
+    pub(super) junctions: Vec<Junction>,
+    /// First element of each ring, and the end.
+    pub(super) starts: Vec<u32>,
+}
 
 /// One closed cycle of elements.
 #[derive(Debug, Default)]
@@ -36,6 +45,9 @@ pub(super) struct Cycle {
     /// For each bridge the first element behind it and the first one after the way back over it.
     pub(super) crossings: Vec<(u32, u32)>,
 }
+
+/// The direction of bridges: of length 1 exactly, and askew to what people draw.
+const OUT: Vec2 = vec2(-0.936, -0.352);
 
 /// A foot on an element with the inner normal there.
 type Foot = (Point, Vec2);
@@ -51,18 +63,14 @@ struct Cut {
 
 impl Cycle {
     /// The cycle of an outer ring and its islands.
-    pub(super) fn new(mut rings: Vec<Ring>) -> Self {
-        let Some(outer) = rings.first_mut() else { return Self::default() };
-        rotate_to_clear_corner(outer);
-        let mut cycle = if rings.len() == 1 {
-            let (elements, junctions) = rings.swap_remove(0).into_iter().unzip();
-            Self { elements, junctions, bridges: Vec::new(), crossings: Vec::new() }
-        } else {
-            Bridging::new(&rings).into_cycle()
-        };
-        cycle.elements.shrink_to_fit();
-        cycle.note_crossings();
-        cycle
+    pub(super) fn new(rings: &Rings) -> Self {
+        if rings.starts.len() != 2 {
+            let mut cycle = Bridging::new(rings).into_cycle();
+            cycle.note_crossings();
+            return cycle;
+        }
+        let first = rings.clear_corner();
+        Self { elements: turned(&rings.elements, first), junctions: turned(&rings.junctions, first), ..Self::default() }
     }
 
     fn note_crossings(&mut self) {
@@ -100,25 +108,27 @@ impl Cycle {
     }
 }
 
-/// The recursion's root is best conditioned at a corner near 90°.
-fn rotate_to_clear_corner(ring: &mut Ring) {
-    let quality = |k: usize| {
-        let before = &ring[(k + ring.len() - 1) % ring.len()].0;
-        match ring[k].1 {
-            Junction::Convex(_) => 1.0 + before.n1.cross(ring[k].0.n0),
+impl Rings {
+    /// The element of the outer ring at which the cycle starts: the recursion's root is best conditioned at a corner
+    /// near 90°.
+    fn clear_corner(&self) -> usize {
+        let end = self.starts[1] as usize;
+        let quality = |k: usize| match self.junctions[k] {
+            Junction::Convex(_) => 1.0 + self.elements[(k + end - 1) % end].n1.cross(self.elements[k].n0),
             Junction::Spoke(..) | Junction::Bridge(_) => 0.0,
-        }
-    };
-    let best = (0..ring.len()).max_by(|&i, &j| quality(i).total_cmp(&quality(j))).unwrap_or(0);
-    ring.rotate_left(best);
+        };
+        (0..end).max_by(|&i, &j| quality(i).total_cmp(&quality(j))).unwrap_or(0)
+    }
 }
 
-/// All rings of a pocket in one array, and the cuts between them.
-struct Bridging {
-    elements: Vec<Element>,
-    junctions: Vec<Junction>,
-    /// First element of each ring, and the end.
-    starts: Vec<u32>,
+/// The items from `first` round to the one before it.
+fn turned<T: Copy>(items: &[T], first: usize) -> Vec<T> {
+    [&items[first..], &items[..first]].concat()
+}
+
+/// The rings of a pocket and the cuts between them.
+struct Bridging<'a> {
+    rings: &'a Rings,
     /// Per island: where its tour starts.
     doors: Vec<Cut>,
     /// Cuts by other islands, sorted by element and along it.
@@ -126,18 +136,11 @@ struct Bridging {
     disks: Vec<Disk>,
 }
 
-impl Bridging {
-    fn new(rings: &[Ring]) -> Self {
-        let mut starts = vec![0];
-        let (mut elements, mut junctions) = (Vec::new(), Vec::new());
-        for ring in rings {
-            elements.extend(ring.iter().map(|(e, _)| *e));
-            junctions.extend(ring.iter().map(|(_, j)| *j));
-            starts.push(elements.len() as u32);
-        }
-        let heap = BoxHeap::new(&elements);
-        let mut this = Self { elements, junctions, starts, doors: Vec::new(), cuts: Vec::new(), disks: Vec::new() };
-        for island in 0..rings.len() as u32 - 1 {
+impl<'a> Bridging<'a> {
+    fn new(rings: &'a Rings) -> Self {
+        let heap = BoxHeap::new(&rings.elements);
+        let mut this = Self { rings, doors: Vec::new(), cuts: Vec::new(), disks: Vec::new() };
+        for island in 0..rings.starts.len() as u32 - 2 {
             this.bridge(&heap, island);
         }
         this.cuts.sort_by(|a, b| a.element.cmp(&b.element).then(a.along.total_cmp(&b.along)));
@@ -145,27 +148,27 @@ impl Bridging {
     }
 
     fn ring_of(&self, island: u32) -> std::ops::Range<u32> {
-        self.starts[island as usize + 1]..self.starts[island as usize + 2]
+        self.rings.starts[island as usize + 1]..self.rings.starts[island as usize + 2]
     }
 
     /// Grow the disk of one island and note the cuts at both of its contacts.
     fn bridge(&mut self, heap: &BoxHeap, island: u32) {
         let ring = self.ring_of(island);
-        let (element, foot) = self.leftmost(ring.clone());
-        let all = (0, self.elements.len() as u32 - 1);
+        let (element, foot) = self.outermost(ring.clone());
+        let all = (0, self.rings.elements.len() as u32 - 1);
         let at = |radius: f64| Disk { center: foot.0 + foot.1 * radius, radius };
         let mut disk = at(tol::FIRST_PROBE);
         let mut contact = None;
         loop {
             let own = |k: u32| ring.contains(&k);
             let bound = disk.radius - tol::EMPTY;
-            let hit = heap.nearest_but(&self.elements, all, disk.center, bound, own);
+            let hit = heap.nearest_but(&self.rings.elements, all, disk.center, bound, own);
             match (hit, contact) {
                 (None, Some(_)) => break,
                 (None, None) if disk.radius > tol::LARGEST_DISK => break,
                 (None, None) => disk = at(2.0 * disk.radius),
                 (Some((k, _)), _) => {
-                    let radius = closed_pencil_radius(&self.elements[k as usize], foot.0, foot.1);
+                    let radius = closed_pencil_radius(&self.rings.elements[k as usize], foot.0, foot.1);
                     let stuck = contact.is_some() && radius >= disk.radius;
                     contact = Some(k);
                     if stuck {
@@ -176,26 +179,27 @@ impl Bridging {
             }
         }
         let contact = self.owner(contact.unwrap_or(0), disk.center);
-        let e = &self.elements[contact as usize];
+        let e = &self.rings.elements[contact as usize];
         let other = clamped_foot(e, disk.center);
-        self.doors.push(Cut { element, along: along(&self.elements[element as usize], foot), foot, island });
+        self.doors.push(Cut { element, along: along(&self.rings.elements[element as usize], foot), foot, island });
         self.cuts.push(Cut { element: contact, along: along(e, other), foot: other, island });
         self.disks.push(disk);
     }
 
-    /// The leftmost point of a ring, on the element that owns the normal there.
-    fn leftmost(&self, ring: std::ops::Range<u32>) -> (u32, Foot) {
-        let west = vec2(-1.0, 0.0);
-        let (mut best, mut best_x) = ((ring.start, (self.elements[ring.start as usize].start, west)), f64::INFINITY);
+    /// The outermost point of a ring, on the element that owns the normal there.
+    fn outermost(&self, ring: std::ops::Range<u32>) -> (u32, Foot) {
+        let start = self.rings.elements[ring.start as usize].start;
+        let (mut best, mut reach) = ((ring.start, (start, OUT)), f64::NEG_INFINITY);
         for k in ring {
-            let e = &self.elements[k as usize];
+            let e = &self.rings.elements[k as usize];
             let mut offer = |foot: Foot, bonus: f64| {
-                if foot.0.x - bonus < best_x {
-                    (best, best_x) = ((k, foot), foot.0.x - bonus);
+                let out = foot.0.to_vec().dot(OUT) + bonus;
+                if out > reach {
+                    (best, reach) = ((k, foot), out);
                 }
             };
             match e.carrier {
-                Carrier::Outside if e.covers(west) => offer((e.foot_with_normal(west), west), tol::EMPTY),
+                Carrier::Outside if e.covers(OUT) => offer((e.foot_with_normal(OUT), OUT), tol::EMPTY),
                 _ => {
                     offer((e.start, e.n0), 0.0);
                     offer((e.end, e.n1), 0.0);
@@ -207,16 +211,16 @@ impl Bridging {
 
     /// The element that owns the contact of a disk with `hit`: at an end it may be the reflex vertex there.
     fn owner(&self, hit: u32, center: Point) -> u32 {
-        let (before, after) = self.elements[hit as usize].overshoot(center);
+        let (before, after) = self.rings.elements[hit as usize].overshoot(center);
         if before <= 0.0 && after <= 0.0 {
             return hit;
         }
-        let ring = self.starts.partition_point(|&s| s <= hit) - 1;
-        let (first, end) = (self.starts[ring], self.starts[ring + 1]);
+        let ring = self.rings.starts.partition_point(|&s| s <= hit) - 1;
+        let (first, end) = (self.rings.starts[ring], self.rings.starts[ring + 1]);
         let previous = if hit == first { end - 1 } else { hit - 1 };
         let next = if hit + 1 == end { first } else { hit + 1 };
         let over = |k: u32| {
-            let (before, after) = self.elements[k as usize].overshoot(center);
+            let (before, after) = self.rings.elements[k as usize].overshoot(center);
             before.max(after)
         };
         let neighbor = if before > after { previous } else { next };
@@ -244,9 +248,10 @@ impl Bridging {
 
     /// The steps round one ring: from its door if it is an island.
     fn tour(&self, ring: u32) -> Vec<Step> {
-        let (first, end) = (self.starts[ring as usize], self.starts[ring as usize + 1]);
+        let (first, end) = (self.rings.starts[ring as usize], self.rings.starts[ring as usize + 1]);
         let Some(door) = ring.checked_sub(1).map(|island| &self.doors[island as usize]) else {
-            return (first..end).flat_map(|k| self.pieces(k, None, None)).collect();
+            let corner = self.rings.clear_corner() as u32;
+            return (corner..end).chain(first..corner).flat_map(|k| self.pieces(k, None, None)).collect();
         };
         let mut steps = self.pieces(door.element, Some(door), None);
         let rest = (door.element + 1..end).chain(first..door.element);
@@ -257,9 +262,9 @@ impl Bridging {
 
     /// The pieces of one element and the islands between them, from a door or up to it.
     fn pieces(&self, element: u32, from: Option<&Cut>, to: Option<&Cut>) -> Vec<Step> {
-        let e = &self.elements[element as usize];
+        let e = &self.rings.elements[element as usize];
         let mut foot = from.map_or((e.start, e.n0), |door| door.foot);
-        let mut junction = from.map_or(self.junctions[element as usize], |door| Junction::Bridge(door.island));
+        let mut junction = from.map_or(self.rings.junctions[element as usize], |door| Junction::Bridge(door.island));
         let low = self.cuts.partition_point(|c| c.element < element);
         let high = self.cuts.partition_point(|c| c.element <= element);
         let wanted = |c: &&Cut| from.is_none_or(|d| c.along > d.along) && to.is_none_or(|d| c.along <= d.along);

@@ -136,10 +136,17 @@ impl Element {
             return (-s, s - self.length);
         }
         let (v, scale) = match self.carrier {
-            Carrier::Inside => (self.center - p, -self.rho),
+            Carrier::Inside => {
+                let v = self.center - p;
+                let length = v.length();
+                if length <= tol::FOOT {
+                    // in the centre every foot will do
+                    return (0.0, 0.0);
+                }
+                (v / length, -self.rho)
+            }
             _ => (p - self.center, 1.0),
         };
-        let v = if self.carrier == Carrier::Inside { unit_or(v, self.n0) } else { v };
         let (mut before, mut after) = (v.cross(self.n0), self.n1.cross(v));
         if self.carrier == Carrier::Outside {
             (before, after) = (-before, -after);

@@ -15,12 +15,12 @@ pub(super) enum Joint {
     Reflex(Vec2, Vec2),
 }
 
-/// Classify the joint between `before` and `after`, which meet at a point of a region of this size.
-pub(super) fn classify(before: &Segment, after: &Segment, size: f64) -> Joint {
+/// Classify the joint between `before` and `after`, which meet at a point.
+pub(super) fn classify(before: &Segment, after: &Segment) -> Joint {
     let (t0, t1) = (before.end_tangent(), after.start_tangent());
     let (sin, cos) = (t0.cross(t1), t0.dot(t1));
     let reflex = Joint::Reflex(t0.left(), t1.left());
-    if cos > 0.0 && sin.abs() <= smooth_turn(before.curvature() * size, after.curvature() * size) {
+    if cos > 0.0 && sin.abs() <= tol::SMOOTH {
         return Joint::Smooth(smooth_normal(before, after, t0.left(), t1.left()));
     }
     if cos < 0.0 && sin.abs() <= tol::CUSP {
@@ -31,16 +31,6 @@ pub(super) fn classify(before: &Segment, after: &Segment, size: f64) -> Joint {
         }
     }
     if sin > 0.0 { Joint::Convex } else { reflex }
-}
-
-/// The turn up to which a joint of two curvatures (of a region of size 1) counts as smooth: the largest disk on its
-/// normal is then off by no more than the tolerance. With the normal of the tighter inside arc, of radius `1 / k`, a
-/// disk as large as it misses the other curve by `turn² / 2 (k - k')`; without inside arcs it is no larger than the
-/// region, and the mean normal leaves an eighth of the square.
-fn smooth_turn(k0: f64, k1: f64) -> f64 {
-    let (tight, wide) = (k0.max(k1), k0.min(k1));
-    let square = if tight > 0.0 { 2.0 * (tight - wide) } else { 8.0 / (1.0 - wide) };
-    (square * tol::SMOOTH_ERROR).sqrt().clamp(tol::SMOOTH_LEAST, tol::SMOOTH_MOST)
 }
 
 /// The normal of a smooth joint. Disks inside a small arc feel its normal most, so the tighter inside arc gives it;

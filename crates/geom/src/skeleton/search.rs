@@ -52,7 +52,7 @@ fn facing_neighbor(scene: &Scene, (a, b): (u32, u32), mut c: u32, disk: Disk) ->
     for _ in 0..tol::HOPS {
         let e = &scene.cycle.elements[c as usize];
         let (before, after) = e.overshoot(disk.center);
-        if before <= tol::EMPTY && after <= tol::EMPTY {
+        if before <= tol::EXTENT && after <= tol::EXTENT {
             break;
         }
         let is_at_start = if e.start == e.end {
@@ -62,7 +62,7 @@ fn facing_neighbor(scene: &Scene, (a, b): (u32, u32), mut c: u32, disk: Disk) ->
         };
         let k = if is_at_start { scene.cycle.before_on_wall(c) } else { scene.cycle.after_on_wall(c) };
         let is_candidate = k > a && k < b;
-        if !is_candidate || scene.cycle.elements[k as usize].distance(disk.center) > disk.radius + tol::FOOT {
+        if !is_candidate || scene.cycle.elements[k as usize].distance(disk.center) > disk.radius + tol::REACH {
             break;
         }
         c = k;
@@ -108,7 +108,7 @@ fn touching(scene: &Scene, (a, c, b): (u32, u32, u32), parent: Disk) -> Option<D
     let mut best: Option<(f64, Disk)> = None;
     for candidate in vertex::touching_three(e).iter() {
         let (disk, error) = vertex::polish(e, candidate);
-        if error > tol::RESIDUAL || disk.radius < 0.0 {
+        if error > tol::RESIDUAL || disk.radius < 0.0 || disk.radius > tol::LARGEST_DISK {
             continue;
         }
         if !e.iter().all(|e| e.faces(disk.center, tol::EXTENT)) || contact_order(e, disk) < -tol::ORDER {
@@ -295,8 +295,20 @@ fn first_hit(
         };
         high = first_touch(depth, high);
         found = Some(hit);
+        if let Some(answer) = verified(scene, (a, b), hit, disk_at(high), disk_at(0.0)) {
+            return answer;
+        }
     }
     owner(scene, (a, b), found.unwrap_or(beyond), disk_at(high))
+}
+
+/// The disk in closed form that the bracket has come near to, if it is empty.
+fn verified(scene: &Scene, (a, b): (u32, u32), hit: u32, near: Disk, parent: Disk) -> Option<(u32, Disk)> {
+    let c = facing_neighbor(scene, (a, b), hit, near);
+    let (c, disk) = touching_near(scene, (a, c, b), parent)?;
+    let bound = disk.radius - tol::EMPTY;
+    let hit = scene.heap.nearest(&scene.cycle.elements, (a + 1, b - 1), disk.center, bound);
+    hit.is_none().then_some((c, disk))
 }
 
 /// The least `t` up to `high` at which `depth` falls to 0, by bisection: `depth(0) >= 0 > depth(high)`.

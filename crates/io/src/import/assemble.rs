@@ -214,8 +214,11 @@ fn warning<'a>(note: &Note, source_of: impl Fn(u32) -> &'a Source) -> Warning {
         Note::Shared { .. } => {
             format!("it shares an edge with another contour ({with}); the areas on both sides are joined")
         }
+        Note::Overlap { length, .. } if with.is_empty() => {
+            format!("a sliver {length:.2e} mm long where it meets itself is cut off")
+        }
         Note::Overlap { length, .. } => {
-            format!("a sliver {length:e} mm long where it meets another edge {with} is cut off")
+            format!("a sliver {length:.2e} mm long between it and another contour ({with}) is cut off")
         }
         Note::Touch { .. } if with.is_empty() => "it touches itself; taken as it is".to_owned(),
         Note::Touch { .. } => format!("it touches another contour ({with}); taken as it is"),

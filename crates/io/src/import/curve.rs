@@ -118,12 +118,14 @@ impl Curve {
         }
     }
 
-    /// The largest coordinate or radius in it; infinite where something in it is no number.
+    /// The largest coordinate, or radius of more than half a turn, in it; infinite where something in it is no number.
     pub(crate) fn reach(&self) -> f64 {
         let far = |p: Point| p.x.abs().max(p.y.abs());
         let largest = |reach: f64, next: f64| if next.is_nan() { f64::INFINITY } else { reach.max(next) };
         match self {
             Self::Line(a, b) => largest(far(*a), far(*b)),
+            // A flat arc stays near its ends, however far away its centre is.
+            Self::Elliptic(e) if e.sweep.abs() < PI && e.center.is_finite() => largest(far(e.start), far(e.end)),
             Self::Elliptic(e) => {
                 [far(e.start), far(e.end), far(e.center), e.u.length(), e.v.length()].into_iter().fold(0.0, largest)
             }

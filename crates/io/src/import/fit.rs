@@ -22,11 +22,15 @@ pub(crate) struct Fitted {
 }
 
 /// Lines and arcs within `tolerance` mm of a chain of curves, each of which starts where the one before ends.
+///
+/// A tolerance below what the numbers themselves can tell is raised to that.
 pub(crate) fn fit(chain: &[Bezier], tolerance: f64) -> Fitted {
     let mut fitted = Fitted { segments: Vec::new(), error: 0.0 };
     let Some(first) = chain.first() else { return fitted };
     let origin = first.start().to_vec();
     let local: Vec<Bezier> = chain.iter().map(|b| shifted(b, -origin)).collect();
+    let extent = local.iter().flat_map(Bezier::places).fold(0.0, |e: f64, p| e.max(p.to_vec().length()));
+    let tolerance = tolerance.max(tolerance::COORDINATE_ROUNDOFF * extent / tolerance::STRAIGHT_SHARE);
     let mut from = 0;
     for k in 1..=local.len() {
         if k == local.len() || is_corner(&local[k - 1], &local[k]) {
@@ -80,47 +84,64 @@ fn fit_smooth(chain: &[Bezier], tolerance: f64, out: &mut Fitted) {
     }
 }
 
-/// The farthest position that one biarc (or line) from `at` can reach, and that biarc.
+/// The farthest position that one biarc (or line) from `at` can reach, but for a small share, and that biarc.
 fn longest(chain: &[Bezier], at: f64, stride: f64, tolerance: f64) -> (f64, Fitted) {
     const REFINEMENTS: usize = 7;
-    let end = chain.len() as f64;
-    let attempt = |to: f64| approximate(&extract(chain, at, to), tolerance);
-    let mut reach = (at + stride).min(end);
-    let mut good = attempt(reach).map(|piece| (reach, piece));
-    let mut bad = end;
-    if good.is_some() {
-        while reach < end {
-            reach = (at + 2.0 * (reach - at)).min(end);
-            match attempt(reach) {
-                Some(piece) => good = Some((reach, piece)),
-                None => {
-                    bad = reach;
-                    break;
-                }
-            }
-        }
-    }
-    while good.is_none() {
-        bad = reach;
-        reach = at + 0.5 * (reach - at);
-        if reach <= at || reach - at <= f64::EPSILON * end {
-            let next = (at + 2.0 * f64::EPSILON * end).max(at.next_up()).min(end);
-            return (next, chord(&extract(chain, at, next)));
-        }
-        good = attempt(reach).map(|piece| (reach, piece));
-    }
-    let (mut low, mut best) = good.expect("the loop above ends with one");
+    let attempt = |to: f64| Some((to, approximate(&extract(chain, at, to), tolerance)?));
+    let first = (at + stride).min(chain.len() as f64);
+    let (mut best, mut bad) = match attempt(first) {
+        Some(good) => grown(good, at, chain.len() as f64, attempt),
+        None => shrunk(chain, at, first, attempt),
+    };
     for _ in 0..REFINEMENTS {
-        if low >= end || bad - low <= f64::EPSILON * end {
+        let low = best.0;
+        if bad - low <= f64::EPSILON * bad {
             break;
         }
-        let middle = 0.5 * (low + bad);
-        match attempt(middle) {
-            Some(piece) => (low, best) = (middle, piece),
-            None => bad = middle,
+        match attempt(0.5 * (low + bad)) {
+            Some(good) => best = good,
+            None => bad = 0.5 * (low + bad),
         }
     }
-    (low, best)
+    best
+}
+
+/// Doubles a stride that fits until it doesn't; the best that does, and where it doesn't.
+fn grown(
+    mut good: (f64, Fitted),
+    at: f64,
+    end: f64,
+    attempt: impl Fn(f64) -> Option<(f64, Fitted)>,
+) -> ((f64, Fitted), f64) {
+    while good.0 < end {
+        let to = (at + 2.0 * (good.0 - at)).min(end);
+        match attempt(to) {
+            Some(better) => good = better,
+            None => return (good, to),
+        }
+    }
+    (good, end)
+}
+
+/// Halves a stride that doesn't fit until it does; a step too small to be told from none is taken straight.
+fn shrunk(
+    chain: &[Bezier],
+    at: f64,
+    mut bad: f64,
+    attempt: impl Fn(f64) -> Option<(f64, Fitted)>,
+) -> ((f64, Fitted), f64) {
+    let smallest = 2.0 * f64::EPSILON * chain.len() as f64;
+    loop {
+        let to = at + 0.5 * (bad - at);
+        if to - at <= smallest {
+            let to = (at + smallest).min(chain.len() as f64);
+            return ((to, chord(&extract(chain, at, to))), to);
+        }
+        if let Some(good) = attempt(to) {
+            return (good, bad);
+        }
+        bad = to;
+    }
 }
 
 /// The stretch of a chain between two positions, as curves of their own.
@@ -434,7 +455,7 @@ mod tests {
 
         #[test]
         fn any_ellipse_arc_is_met_within_tolerance(
-            a in 0.5..50.0_f64, b in 0.5..50.0_f64, skew in -1.0..1.0_f64, from in -7.0..7.0_f64, sweep in 0.05..6.28_f64,
+            a in 0.5..50.0_f64, b in 0.5..50.0_f64, skew in -1.0..1.0_f64, from in -7.0..7.0_f64, sweep in 0.05..6.2_f64,
         ) {
             for piece in ellipse(point(1.0, 2.0), vec2(a, skew), vec2(-skew, b), from, sweep) {
                 checked(&[piece], 1e-3);

@@ -140,6 +140,7 @@ pub(super) fn polyline(
             return Err(source.error(problem, "draw the arc with two vertices or as a circle"));
         }
         if start != end {
+            let bulge = if bulge.abs() < tolerance::FLAT_BULGE { 0.0 } else { bulge };
             curves.push(Curve::from_bulge(start, end, bulge));
         } else if bulge != 0.0 {
             dropped.push(start);

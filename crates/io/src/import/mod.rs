@@ -129,14 +129,13 @@ pub fn parse(name: &Path, bytes: &[u8], options: &ImportOptions) -> Result<Drawi
 
 fn parse_kind(name: &Path, bytes: &[u8], options: &ImportOptions) -> Result<Drawing, ImportError> {
     options.check()?;
-    let extension = name.extension().and_then(|e| e.to_str()).unwrap_or_default().to_ascii_lowercase();
+    let known = |e: &String| ["dxf", "svg", "json"].contains(&e.as_str());
+    let extension =
+        name.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase).filter(known).unwrap_or_default();
     match (extension.as_str(), bytes.trim_ascii_start().first()) {
-        ("dxf", _) => assemble::assemble(dxf::read(bytes, options)?, options),
-        ("svg", _) => assemble::assemble(svg::read(bytes, options)?, options),
-        ("json", _) => json::parse(bytes, options),
-        (_, Some(b'<')) => assemble::assemble(svg::read(bytes, options)?, options),
-        (_, Some(b'{' | b'[')) => json::parse(bytes, options),
-        (_, Some(b'0' | b'9')) => assemble::assemble(dxf::read(bytes, options)?, options),
+        ("dxf", _) | ("", Some(b'0' | b'9')) => assemble::assemble(dxf::read(bytes, options)?, options),
+        ("svg", _) | ("", Some(b'<')) => assemble::assemble(svg::read(bytes, options)?, options),
+        ("json", _) | ("", Some(b'{' | b'[')) => json::parse(bytes, options),
         _ => {
             let hint = "give a .dxf, .svg or .json file";
             let problem = "not a drawing of a known kind";

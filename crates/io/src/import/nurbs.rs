@@ -1,7 +1,7 @@
 //! B-splines, rational and unclamped ones too, cut into Bézier curves.
 
 use super::bezier::{Bezier, Weighted};
-use pocketry_geom::Point;
+use pocketry_geom::{Point, tolerance};
 
 /// A spline as a drawing gives it.
 #[derive(Clone, Debug)]
@@ -44,8 +44,8 @@ pub(crate) enum SplineError {
         /// As many as there are control points.
         needed: usize,
     },
-    /// A weight is zero or negative: the curve may run to infinity.
-    #[error("a weight is not positive")]
+    /// A weight is zero or negative, or next to nothing beside the others: the curve may run to infinity.
+    #[error("a weight is not positive, or far below the others")]
     Weight,
 }
 
@@ -71,7 +71,8 @@ impl Spline {
         if !self.weights.is_empty() && self.weights.len() != n {
             return Err(SplineError::WeightCount { found: self.weights.len(), needed: n });
         }
-        if self.weights.iter().any(|&w| w.is_nan() || w <= 0.0) {
+        let largest = self.weights.iter().copied().fold(0.0, f64::max);
+        if self.weights.iter().any(|&w| w.is_nan() || w <= tolerance::LEAST_WEIGHT * largest) {
             return Err(SplineError::Weight);
         }
         Ok(())
@@ -85,7 +86,8 @@ impl Spline {
     /// What the drawing says is no spline.
     pub(crate) fn to_beziers(&self) -> Result<Vec<Bezier>, SplineError> {
         self.check()?;
-        let weight = |k: usize| self.weights.get(k).copied().unwrap_or(1.0);
+        let largest = self.weights.iter().copied().fold(0.0, f64::max);
+        let weight = |k: usize| self.weights.get(k).map_or(1.0, |w| w / largest);
         let control: Vec<Weighted> =
             self.points.iter().enumerate().map(|(k, &p)| Weighted::new(p, weight(k))).collect();
         let p = self.degree;

@@ -9,6 +9,9 @@ use pocketry_geom::{Contour, Segment, tolerance};
 /// The most curves that a drawing may consist of once its blocks and references are laid out.
 pub(crate) const MAX_CURVES: u64 = 4_000_000;
 
+/// The most lines and arcs that a drawing may become.
+pub(crate) const MAX_SEGMENTS: usize = 8_000_000;
+
 /// Where a curve of a drawing comes from.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Source {
@@ -66,6 +69,8 @@ pub(crate) struct Sketch {
     pub(crate) sources: Vec<Source>,
     /// What was assumed or healed so far.
     pub(crate) warnings: Vec<Warning>,
+    /// How many lines and arcs there are so far.
+    pub(crate) count: usize,
     /// The unit that the drawing was read in.
     pub(crate) units: Units,
 }
@@ -109,7 +114,7 @@ impl Sketch {
 
     /// Appends an entity's curves, mapped to millimetres, as lines and arcs.
     pub(crate) fn segments(
-        &self,
+        &mut self,
         curves: &[Curve],
         map: &Affine,
         source: u32,
@@ -122,7 +127,15 @@ impl Sketch {
             if reach > tolerance::ABSURD {
                 return Err(self.too_far(source, reach));
             }
+            let before = out.len();
             mapped.segments(fit_tolerance, out);
+            self.count += out.len() - before;
+            if self.count > MAX_SEGMENTS {
+                let place = self.sources[source as usize].place();
+                let hint = "check the drawing's units, or raise the fit tolerance";
+                let problem = format!("its curves take more than {MAX_SEGMENTS} arcs");
+                return Err(ImportError::new(FaultKind::Limit, place, problem, hint));
+            }
         }
         Ok(())
     }

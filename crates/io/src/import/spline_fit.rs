@@ -112,7 +112,7 @@ mod tests {
     #[test]
     fn points_of_a_circle_give_nearly_a_circle() {
         let points: Vec<Point> =
-            (0..16).map(|k| Vec2::from_angle(f64::from(k) * 0.392_699_081_698_724).to_point()).collect();
+            (0..16).map(|k| Vec2::from_angle(f64::from(k) * std::f64::consts::FRAC_PI_8).to_point()).collect();
         let chain = through(&points, true);
         assert_eq!(chain.len(), 16);
         for curve in &chain {

@@ -7,7 +7,7 @@ use std::path::Path;
 
 /// Group codes and values parted by commas, as `0,LINE,8,POCKET`, one on a line of a DXF file.
 fn pairs(text: &str) -> String {
-    text.split(',').map(|part| format!("{}\n", part.trim())).collect()
+    text.split(',').flat_map(|part| [part.trim(), "\n"]).collect()
 }
 
 fn file(header: &str, tables: &str, blocks: &str, entities: &str) -> String {
@@ -48,6 +48,9 @@ fn assert_area(drawing: &Drawing, expected: f64, off: f64) {
 
 const SQUARE: &str = "0,LWPOLYLINE,8,0,90,4,70,1,10,0,20,0,10,10,20,0,10,10,20,10,10,0,20,10";
 
+const SQUARE_LINES: &str = "0,LINE,8,0,10,0,20,0,11,10,21,0,0,LINE,8,0,10,10,20,0,11,10,21,10,
+    0,LINE,8,0,10,10,20,10,11,0,21,10,0,LINE,8,0,10,0,20,10,11,0,21,0";
+
 #[test]
 fn lines_and_arcs_in_any_order_and_direction_are_chained() {
     let drawing = read(
@@ -79,6 +82,14 @@ fn bulges_of_both_kinds_of_polyline_are_arcs() {
 }
 
 #[test]
+fn bulges_next_to_nothing_are_straight_or_flat_arcs() {
+    for bulge in ["1e-14", "-1e-8", "1e-300"] {
+        let text = format!("0,LWPOLYLINE,8,0,90,4,70,1,10,0,20,0,42,{bulge},10,900,20,0,10,900,20,900,10,0,20,900");
+        assert_area(&read(&text), 810_000.0, 0.01);
+    }
+}
+
+#[test]
 fn ellipses_whole_and_in_pieces() {
     let whole = read("0,ELLIPSE,8,0,10,0,20,0,11,0,21,20,40,0.5,41,0,42,6.283185307179586");
     assert_area(&whole, 200.0 * PI, 0.05);
@@ -106,13 +117,10 @@ fn splines_clamped_rational_and_unclamped() {
     let rational = "0,SPLINE,8,0,70,12,71,2,40,0,40,0,40,0,40,1,40,1,40,1,41,1,41,0.7071067811865476,41,1,
                     10,5,20,0,10,5,20,5,10,0,20,5, 0,LINE,8,0,10,0,20,5,11,0,21,0, 0,LINE,8,0,10,0,20,0,11,5,21,0";
     assert_area(&read(rational), 25.0 * PI / 4.0, 1e-6);
-    let mut periodic = "0,SPLINE,8,0,70,11,71,3".to_owned();
-    (0..12).for_each(|k| periodic += &format!(",40,{k}"));
-    for k in 0..8 {
-        let angle = f64::from(k % 5) * 0.4 * PI;
-        periodic += &format!(",10,{},20,{}", 30.0 * angle.cos(), 30.0 * angle.sin());
-    }
-    let drawing = read(&periodic);
+    let knots: Vec<String> = (0..12).map(|k| format!("40,{k}")).collect();
+    let angles = (0..8).map(|k| f64::from(k % 5) * 0.4 * PI);
+    let points: Vec<String> = angles.map(|a| format!("10,{},20,{}", 30.0 * a.cos(), 30.0 * a.sin())).collect();
+    let drawing = read(&format!("0,SPLINE,8,0,70,11,71,3,{},{}", knots.join(","), points.join(",")));
     assert_eq!(drawing.region.contours().len(), 1);
     assert!(drawing.region.area() > 1000.0 && drawing.region.area() < 900.0 * PI);
 }
@@ -176,6 +184,10 @@ fn hidden_layers_and_paper_space_are_left_out() {
     let entities = [SQUARE.to_owned(), circle("off", ""), circle("ICE", ""), circle("0", ",67,1")].join(",");
     let drawing = parse(&file(MM, layers, "", &entities), &ImportOptions::default()).unwrap();
     assert_area(&drawing, 100.0, 1e-12);
+    let only_hidden = parse(&file(MM, layers, "", &circle("off", "")), &ImportOptions::default()).unwrap_err();
+    assert!(only_hidden.to_string().contains("off or frozen: off"), "{only_hidden}");
+    let asked_for = ImportOptions { layers: vec!["OFF".to_owned()], ..ImportOptions::default() };
+    assert!(parse(&file(MM, layers, "", &entities), &asked_for).is_ok());
 }
 
 #[test]
@@ -225,6 +237,33 @@ fn an_almost_closed_island_is_never_milled_over() {
 fn text_and_dimensions_are_silent() {
     let entities = format!("{SQUARE},0,TEXT,8,NOTES,10,0,20,0,40,5,1,DEPTH 10, 0,DIMENSION,8,NOTES,10,0,20,0");
     assert_area(&read(&entities), 100.0, 1e-12);
+}
+
+#[test]
+fn details_finer_than_the_join_tolerance_survive() {
+    let corners = [(0.0, 0.0), (10.0, 0.0), (10.0, 0.005), (10.004, 0.005), (10.004, 10.0), (0.0, 10.0)];
+    let line = |k: usize| {
+        let ((x, y), (to_x, to_y)) = (corners[k], corners[(k + 1) % corners.len()]);
+        format!("0,LINE,8,0,10,{x},20,{y},11,{to_x},21,{to_y}")
+    };
+    let lines: Vec<String> = [3, 0, 4, 2, 5, 1].map(line).to_vec();
+    assert_eq!(read(&lines.join(",")).region.edge_count(), 6);
+}
+
+#[test]
+fn a_gap_within_the_join_tolerance_is_closed_aloud() {
+    let text = "0,LWPOLYLINE,8,0,90,4,70,0,10,0,20,0,10,10,20,0,10,10,20,10,10,0,20,10,10,0,20,0.01";
+    let drawing = parse(&file(MM, "", "", text), &ImportOptions::default()).unwrap();
+    assert_eq!(drawing.warnings.len(), 1, "{:?}", drawing.warnings);
+    let strict = ImportOptions { join_tolerance: 0.001, ..ImportOptions::default() };
+    assert_eq!(parse(&file(MM, "", "", text), &strict).unwrap_err().kind(), "open-contour");
+}
+
+#[test]
+fn a_line_across_the_pocket_is_not_guessed_about() {
+    let across = format!("{SQUARE_LINES},0,LINE,8,0,10,10,20,0,11,0,21,10");
+    let error = parse(&file(MM, "", "", &across), &ImportOptions::default()).unwrap_err();
+    assert_eq!(error.kind(), "open-contour");
 }
 
 #[test]

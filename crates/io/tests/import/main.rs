@@ -2,5 +2,6 @@
 
 mod corpus;
 mod dxf;
+mod garbled;
 mod json;
 mod svg;

@@ -163,3 +163,24 @@ fn messages_name_the_element_and_its_line() {
     let message = try_read(root, body, &ImportOptions::default()).unwrap_err().to_string();
     assert!(message.contains("part.svg:3") && message.contains("walls") && message.contains("w7"), "{message}");
 }
+
+#[test]
+fn deep_nesting_is_refused_not_overflowed() {
+    for depth in [290, 400, 9_000, 50_000] {
+        let body = format!("{}<rect width='5' height='5'/>{}", "<g>".repeat(depth), "</g>".repeat(depth));
+        let outcome = try_read("width='9mm' height='9mm' viewBox='0 0 9 9'", &body, &ImportOptions::default());
+        match outcome {
+            Ok(drawing) => assert!(depth < 300 && (drawing.region.area() - 25.0).abs() < 1e-9),
+            Err(error) => assert_eq!(error.kind(), "limit", "{error}"),
+        }
+    }
+}
+
+#[test]
+fn absurdly_large_curves_end_in_bounded_time() {
+    let curve = "<path transform='scale(1e7)' d='M0 0C0 90 90 90 90 0Z'/>";
+    let options = ImportOptions { fit_tolerance: 1e-6, ..ImportOptions::default() };
+    let outcome = try_read("width='9mm' height='9mm' viewBox='0 0 9 9'", curve, &options);
+    let area = outcome.unwrap().region.area();
+    assert!((area - 4860e14).abs() < 1e12, "{area}");
+}

@@ -5,10 +5,11 @@
 //! vertex it is the integral of h²/2 over the angle. Nothing telescopes from one cell to the next, so an edge that is
 //! wrong, missing or counted twice shows.
 
-use super::element::Element;
+use super::element::{Element, Foot};
 use super::feet::End;
 use super::report::{Element as Part, FaultKind};
 use super::{Judge, Skeleton};
+use crate::point::Point;
 use crate::quadrature;
 use crate::skeleton::{EdgeId, SiteId};
 use crate::tolerance;
@@ -54,32 +55,45 @@ impl Judge<'_> {
         let size = self.size();
         let slack = element.foot_slack(x, size).max(element.foot_slack(other, size));
         let back = (before - after) / slack;
+        let r = self.skeleton.origin_clearance(e).max(self.skeleton.target_clearance(e));
         self.report.worst_backwards = self.report.worst_backwards.max(back);
-        if back > self.options.foot {
+        if back > self.options.foot && self.is_felt(back, r) {
             self.fault(FaultKind::FeetBackwards, Part::Edge(e), x, back);
         }
     }
 
-    /// Area between the site right of `e` and this edge, whose feet run from `from` to `to`.
+    /// Area between the site right of `e` and this edge, whose feet run from `from` to `to`. The edge is the chord
+    /// where that lies on the bisector (spokes at joints that are almost smooth among others), else the bisector.
     fn area_below(&self, e: EdgeId, from: f64, to: f64) -> f64 {
+        if from == to {
+            return 0.0;
+        }
         let s = self.skeleton;
         let element = &self.elements[s.site(e) as usize];
         let across = &self.elements[s.site(Skeleton::twin(e)) as usize];
-        let [low, high] = {
-            let (u, v) = (s.origin_clearance(e), s.target_clearance(e));
-            [u.min(v), u.max(v)]
-        };
-        if element.length_of(to - from, high) <= tolerance::CHECK_FOOT * self.size() {
-            return flat_area(element, 0.5 * (low + high), to - from);
+        let ends = [self.origin_point(e), self.target_point(e)];
+        let straight = self.is_straight(e);
+        let (u, v) = (s.origin_clearance(e), s.target_clearance(e));
+        match element.curvature() {
+            None if straight => return 0.5 * (ends[1] - element.ends()[0]).cross(ends[0] - element.ends()[0]),
+            Some(0.0) if straight => return 0.5 * (u + v) * (to - from),
+            _ => {}
         }
         let slack = self.options.clearance * self.size();
         quadrature::integrate(from, to, tolerance::QUADRATURE, |p| {
-            let h = across.tangent_radius(&element.at(p));
+            let foot = element.at(p);
+            let h = if straight { chord_height(&foot, ends) } else { across.tangent_radius(&foot) };
             // Clearance is monotone along the edge: outside these bounds it is rounding, or a fault reported elsewhere.
-            let h = if h.is_finite() { h.clamp(low - slack, high + slack) } else { 0.5 * (low + high) };
-            density(element, h)
+            let bounded = h.clamp(u.min(v) - slack, u.max(v) + slack);
+            density(element, if h.is_nan() { 0.5 * (u + v) } else { bounded })
         })
     }
+}
+
+/// How far along its normal from a foot the chord between two points lies.
+fn chord_height(foot: &Foot, [u, v]: [Point; 2]) -> f64 {
+    let along = v - u;
+    ((u - foot.anchor) - foot.offset).cross(along) / foot.normal.cross(along)
 }
 
 /// Area for each unit of the parameter below height h.

@@ -76,6 +76,11 @@ impl Judge<'_> {
         best
     }
 
+    /// Whether the chord of an edge lies on the bisector of its sites.
+    pub(super) fn is_straight(&self, e: EdgeId) -> bool {
+        self.chord_sample(e, 0.5).mismatch <= self.options.tight * self.size()
+    }
+
     /// How far the foot travels on the site right of `e`.
     fn foot_travel(&self, e: EdgeId) -> f64 {
         let r = self.skeleton.origin_clearance(e).max(self.skeleton.target_clearance(e));

@@ -5,6 +5,9 @@ use crate::region::Region;
 use crate::segment::Segment;
 use std::f64::consts::{PI, TAU};
 
+/// Feet on an arc that move so many times as far as the point whose feet they are, or more, are unsteady.
+const UNSTEADY: f64 = 1000.0;
+
 /// A point of the boundary with the directions there.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Frame {
@@ -177,6 +180,18 @@ impl Element {
         match self {
             Self::Wall(w) => w.foot(x),
             Self::Corner(c) => c.foot_towards(x - c.point),
+        }
+    }
+
+    /// As [`Self::foot`], but within the arc where `x` lies almost in its centre: a rounding unit beyond the centre the
+    /// foot on the full circle lies opposite.
+    pub(super) fn steady_foot(&self, x: Point) -> f64 {
+        let foot = self.foot(x);
+        match self {
+            Self::Wall(Wall { segment: Segment::Arc(a), length, .. }) if a.center.distance(x) * UNSTEADY < a.radius => {
+                foot.clamp(0.0, *length)
+            }
+            _ => foot,
         }
     }
 

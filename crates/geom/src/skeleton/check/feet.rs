@@ -53,7 +53,7 @@ impl Judge<'_> {
             End::Target if s.next(e) == first => Some(element.extent()),
             _ => {
                 let x = self.end_point(e, end);
-                (!self.is_floating(site, x)).then(|| element.foot(x))
+                (!self.is_floating(site, x)).then(|| element.steady_foot(x))
             }
         }
     }

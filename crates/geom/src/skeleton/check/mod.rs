@@ -37,7 +37,7 @@ pub struct CheckOptions {
     pub clearance: f64,
     /// Vertices whose clearance is farther off than this are counted, not faulted.
     pub tight: f64,
-    /// How far a foot may miss its site's extent or run backwards.
+    /// How far a foot may miss its site's extent or run backwards, where that changes a distance by more than `tight`.
     pub foot: f64,
     /// By how much the cells' areas may miss the region's, as a part of it.
     pub area: f64,
@@ -125,6 +125,11 @@ impl<'a> Judge<'a> {
 
     fn fault(&mut self, kind: FaultKind, element: Element, place: Point, amount: f64) {
         self.report.fault(Fault { kind, element, place, amount }, self.options.max_faults);
+    }
+
+    /// Whether a foot's slip, relative to the size, changes a distance r by more than the tight tolerance.
+    fn is_felt(&self, slip: f64, r: f64) -> bool {
+        slip * slip * self.size() > 2.0 * r * self.options.tight
     }
 
     fn is_corner(&self, site: SiteId) -> bool {

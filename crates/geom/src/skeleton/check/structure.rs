@@ -35,7 +35,7 @@ impl Judge<'_> {
     fn links_hold(&mut self) -> bool {
         let s = self.skeleton;
         let edges = s.half_edges();
-        let mut sound = edges.len() % 2 == 0;
+        let mut sound = edges.len() & 1 == 0;
         for (k, h) in edges.iter().enumerate() {
             let inside = (h.origin as usize) < s.vertices().len()
                 && (h.next as usize) < edges.len()

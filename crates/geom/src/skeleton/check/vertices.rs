@@ -56,7 +56,7 @@ impl Judge<'_> {
         let beyond = (-foot - before).max(foot - element.extent() - after);
         let excess = beyond / element.foot_slack(x, size);
         self.report.worst_outside = self.report.worst_outside.max(excess);
-        if excess > self.options.foot {
+        if excess > self.options.foot && self.is_felt(excess, r) {
             self.fault(FaultKind::FootOutside, Part::Edge(e), x, excess);
         }
     }
@@ -124,7 +124,7 @@ impl Judge<'_> {
     fn contact(&self, e: EdgeId, end: End) -> Vec2 {
         let x: Point = self.end_point(e, end);
         let element = &self.elements[self.skeleton.site(e) as usize];
-        let foot = element.at(self.foot(e, end));
+        let foot = element.at(self.foot(e, end).clamp(0.0, element.extent()));
         if x.distance(foot.point()) > 0.0 { foot.point() - x } else { -foot.normal }
     }
 }

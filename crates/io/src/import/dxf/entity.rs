@@ -1,6 +1,7 @@
 //! DXF entities as curves, in the coordinates of the block that holds them.
 
-use super::groups::{Group, syntax};
+use super::groups::syntax;
+use super::raw::{Raw, block_key};
 use crate::import::affine::{Affine, direction_degrees};
 use crate::import::curve::{Curve, Elliptic};
 use crate::import::error::ImportError;
@@ -8,21 +9,8 @@ use crate::import::json::polyline;
 use crate::import::nurbs::Spline;
 use crate::import::sketch::Source;
 use crate::import::spline_fit;
-use pocketry_geom::{Point, Vec2, point, tolerance, vec2};
+use pocketry_geom::{Vec2, tolerance, vec2};
 use std::f64::consts::TAU;
-
-/// An entity as the file gives it.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Raw<'a> {
-    /// Its type, such as `LINE`.
-    pub(super) kind: &'a str,
-    /// Its groups, the type left out.
-    pub(super) groups: Vec<Group<'a>>,
-    /// Vertices `[x, y, bulge]` that follow as entities of their own (POLYLINE).
-    pub(super) vertices: Vec<[f64; 3]>,
-    /// The line of its type.
-    pub(super) line: usize,
-}
 
 /// The insertion of a block, once or as an array.
 #[derive(Clone, Debug)]
@@ -102,76 +90,7 @@ const ANNOTATIONS: [&str; 22] = [
     "RTEXT",
 ];
 
-impl<'a> Raw<'a> {
-    /// The entity's layer, handle and line.
-    pub(super) fn source(&self) -> Source {
-        let text = |code| self.first(code).map(|g| g.value);
-        let entity = match text(5) {
-            Some(handle) => format!("{} {handle}", self.kind),
-            None => self.kind.to_owned(),
-        };
-        Source { layer: layer_name(text(8).unwrap_or("0")), entity, line: self.line }
-    }
-
-    fn first(&self, code: i32) -> Option<&Group<'a>> {
-        self.groups.iter().find(|g| g.code == code)
-    }
-
-    fn number(&self, code: i32) -> Result<Option<f64>, ImportError> {
-        self.first(code).map(Group::number).transpose()
-    }
-
-    fn number_or(&self, code: i32, default: f64) -> Result<f64, ImportError> {
-        Ok(self.number(code)?.unwrap_or(default))
-    }
-
-    fn integer_or(&self, code: i32, default: i64) -> Result<i64, ImportError> {
-        Ok(self.first(code).map(Group::integer).transpose()?.unwrap_or(default))
-    }
-
-    fn needed(&self, code: i32) -> Result<f64, ImportError> {
-        self.number(code)?.ok_or_else(|| {
-            let problem = format!("{} lacks its group {code}", self.kind);
-            syntax(self.line, &problem, "the entity is damaged; save the drawing again")
-        })
-    }
-
-    fn point(&self, x_code: i32) -> Result<Point, ImportError> {
-        Ok(point(self.needed(x_code)?, self.needed(x_code + 10)?))
-    }
-
-    /// Every value of a code that may repeat.
-    fn numbers(&self, code: i32) -> Result<Vec<f64>, ImportError> {
-        self.groups.iter().filter(|g| g.code == code).map(Group::number).collect()
-    }
-
-    /// Every point whose x has this code.
-    fn points(&self, x_code: i32) -> Result<Vec<Point>, ImportError> {
-        let (xs, ys) = (self.numbers(x_code)?, self.numbers(x_code + 10)?);
-        if xs.len() != ys.len() {
-            let problem = format!("{} has {} x coordinates and {} y coordinates", self.kind, xs.len(), ys.len());
-            return Err(syntax(self.line, &problem, "the entity is damaged; save the drawing again"));
-        }
-        Ok(xs.into_iter().zip(ys).map(|(x, y)| point(x, y)).collect())
-    }
-
-    /// Whether the entity's plane faces down; an error where it is tilted.
-    fn faces_down(&self, source: &Source) -> Result<bool, ImportError> {
-        let (x, y, z) = (self.number_or(210, 0.0)?, self.number_or(220, 0.0)?, self.number_or(230, 1.0)?);
-        let length = x.hypot(y).hypot(z);
-        if x.hypot(y) <= tolerance::FLAT_NORMAL * length && z != 0.0 {
-            return Ok(z < 0.0);
-        }
-        Err(source.error("it lies in a tilted plane", "draw the pocket in the XY plane"))
-    }
-
-    fn heights_differ(&self) -> Result<bool, ImportError> {
-        let mut heights = self.numbers(30)?;
-        heights.extend(self.numbers(31)?);
-        let (low, high) = heights.iter().fold((f64::MAX, f64::MIN), |(l, h), &z| (l.min(z), h.max(z)));
-        Ok(high - low > tolerance::SMALLEST_SIZE || (self.kind == "LINE" && heights.len() == 1 && high != 0.0))
-    }
-
+impl Raw<'_> {
     /// What the entity is.
     pub(super) fn read(&self) -> Result<Reading, ImportError> {
         if ANNOTATIONS.contains(&self.kind) {
@@ -198,10 +117,7 @@ impl<'a> Raw<'a> {
             "CIRCLE" => self.mirrored(self.circle(source)?, source)?,
             "ARC" => self.mirrored(self.arc(source)?, source)?,
             "LWPOLYLINE" => self.mirrored(self.lwpolyline(source, notes)?, source)?,
-            "POLYLINE" => match self.polyline(source, notes)? {
-                Some(shape) => shape,
-                None => return Ok(None),
-            },
+            "POLYLINE" => return self.polyline(source, notes),
             "ELLIPSE" => self.ellipse(source, notes)?,
             "SPLINE" => self.spline(source, notes)?,
             "INSERT" => Shape::Insert(self.insert(source)?),
@@ -286,7 +202,7 @@ impl<'a> Raw<'a> {
         if let Some(line) = awaits_y {
             return Err(syntax(line, "a vertex of the LWPOLYLINE has no y coordinate", "save the drawing again"));
         }
-        self.edges(&vertices, self.integer_or(70, 0)? & 1 != 0, source, notes)
+        Self::edges(&vertices, self.integer_or(70, 0)? & 1 != 0, source, notes)
     }
 
     fn polyline(&self, source: &Source, notes: &mut Vec<String>) -> Result<Option<Shape>, ImportError> {
@@ -297,12 +213,11 @@ impl<'a> Raw<'a> {
         if flags & MESHES != 0 {
             return Ok(None);
         }
-        let shape = self.edges(&self.vertices, flags & CLOSED != 0, source, notes)?;
+        let shape = Self::edges(&self.vertices, flags & CLOSED != 0, source, notes)?;
         if flags & SPATIAL != 0 { Ok(Some(shape)) } else { self.mirrored(shape, source).map(Some) }
     }
 
     fn edges(
-        &self,
         vertices: &[[f64; 3]],
         closed: bool,
         source: &Source,
@@ -391,29 +306,4 @@ impl<'a> Raw<'a> {
         let p = self.point(10)?;
         Ok(Some([p.x, p.y, self.number_or(42, 0.0)?]))
     }
-}
-
-/// Block names are compared without regard to case.
-pub(super) fn block_key(name: &str) -> String {
-    name.to_uppercase()
-}
-
-/// A layer's name with `\U+XXXX` escapes resolved.
-pub(super) fn layer_name(text: &str) -> String {
-    let mut parts = text.split("\\U+");
-    let mut name = parts.next().unwrap_or_default().to_owned();
-    for part in parts {
-        let code = part.get(..4).and_then(|hex| u32::from_str_radix(hex, 16).ok()).and_then(char::from_u32);
-        match code {
-            Some(c) => {
-                name.push(c);
-                name.push_str(&part[4..]);
-            }
-            None => {
-                name.push_str("\\U+");
-                name.push_str(part);
-            }
-        }
-    }
-    name
 }

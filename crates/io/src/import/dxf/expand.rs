@@ -12,8 +12,8 @@ use std::collections::{BTreeSet, HashMap};
 /// Insertions nested deeper than this are refused.
 const MAX_DEPTH: usize = 600;
 
-/// Adds everything that the drawing shows to the sketch.
-pub(super) fn expand(file: &File, options: &ImportOptions, sketch: &mut Sketch) -> Result<(), ImportError> {
+/// Adds everything that the drawing shows to the sketch; returns the layers that it hides.
+pub(super) fn expand(file: &File, options: &ImportOptions, sketch: &mut Sketch) -> Result<Vec<String>, ImportError> {
     let mut census = Census { file, known: HashMap::new(), open: Vec::new() };
     let count = census.count(&file.entities)?;
     if count > MAX_CURVES {
@@ -27,9 +27,11 @@ pub(super) fn expand(file: &File, options: &ImportOptions, sketch: &mut Sketch) 
         wanted: options.layers.iter().map(|l| l.to_lowercase()).collect(),
         present: BTreeSet::new(),
         missing: BTreeSet::new(),
+        hidden: BTreeSet::new(),
     };
     layout.draw(&file.entities, &Affine::scale(scale, scale), None)?;
-    layout.check_layers()
+    layout.check_layers()?;
+    Ok(layout.hidden.into_iter().collect())
 }
 
 /// Counts the curves of a drawing before any of them is laid out.
@@ -81,6 +83,7 @@ struct Layout<'a> {
     wanted: Vec<String>,
     present: BTreeSet<String>,
     missing: BTreeSet<String>,
+    hidden: BTreeSet<String>,
 }
 
 impl<'a> Layout<'a> {
@@ -115,6 +118,7 @@ impl<'a> Layout<'a> {
             return Ok(());
         };
         if self.wanted.is_empty() && file.layers.visibility(layer).frozen {
+            self.hidden.insert(layer.to_owned());
             return Ok(());
         }
         let base = Affine::translate(Point::ORIGIN - block.base);
@@ -141,7 +145,11 @@ impl<'a> Layout<'a> {
             return self.wanted.contains(&lower);
         }
         let visibility = self.file.layers.visibility(layer);
-        !(visibility.off || visibility.frozen)
+        let hidden = visibility.off || visibility.frozen;
+        if hidden && !self.hidden.contains(layer) {
+            self.hidden.insert(layer.to_owned());
+        }
+        !hidden
     }
 
     fn check_layers(&self) -> Result<(), ImportError> {

@@ -12,14 +12,16 @@
 mod entity;
 mod expand;
 mod groups;
+mod raw;
 mod tables;
 
 use super::ImportOptions;
 use super::error::{FaultKind, ImportError, Place};
 use super::sketch::{MAX_CURVES, Sketch, Source};
-use entity::{Entity, Raw, Reading, block_key};
+use entity::{Entity, Reading};
 use groups::{CUT_HINT, Group, Groups, decode, syntax};
 use pocketry_geom::{Point, point};
+use raw::{Raw, block_key};
 use std::collections::{BTreeMap, HashMap};
 use tables::{Header, Layers};
 
@@ -44,7 +46,7 @@ struct File {
 #[derive(Debug, Default)]
 struct Counts {
     unknown: BTreeMap<String, (usize, Source)>,
-    empty: Vec<Source>,
+    empty: BTreeMap<String, (usize, Source)>,
     hidden: usize,
     annotations: usize,
     ended: bool,
@@ -65,10 +67,10 @@ pub(super) fn read(bytes: &[u8], options: &ImportOptions) -> Result<Sketch, Impo
         sketch.warn(Place::default(), "the file lacks its end mark (EOF); its sections are whole");
     }
     sketch.units = file.header.units(options, &mut sketch)?;
-    expand::expand(&file, options, &mut sketch)?;
+    let hidden_layers = expand::expand(&file, options, &mut sketch)?;
     report(&file.counts, &mut sketch);
     if sketch.loops.is_empty() && sketch.loose.is_empty() {
-        return Err(nothing(&file.counts));
+        return Err(nothing(&file.counts, &hidden_layers));
     }
     Ok(sketch)
 }
@@ -77,12 +79,12 @@ fn report(counts: &Counts, sketch: &mut Sketch) {
     for (kind, (count, source)) in &counts.unknown {
         sketch.warn(source.place(), format!("{count} × {kind} is not a curve in the plane and is left out"));
     }
-    for source in &counts.empty {
-        sketch.warn(source.place(), "it has no length and is left out");
+    for (kind, (count, source)) in &counts.empty {
+        sketch.warn(source.place(), format!("{count} × {kind} has no length and is left out"));
     }
 }
 
-fn nothing(counts: &Counts) -> ImportError {
+fn nothing(counts: &Counts, hidden_layers: &[String]) -> ImportError {
     let mut reasons = Vec::new();
     if counts.annotations > 0 {
         reasons.push(format!("{} texts, points, hatches or dimensions", counts.annotations));
@@ -90,10 +92,11 @@ fn nothing(counts: &Counts) -> ImportError {
     if counts.hidden > 0 {
         reasons.push(format!("{} entities in paper space or invisible", counts.hidden));
     }
-    if !counts.empty.is_empty() {
-        reasons.push(format!("{} entities without length", counts.empty.len()));
-    }
+    reasons.extend(counts.empty.iter().map(|(kind, (count, _))| format!("{count} × {kind} without length")));
     reasons.extend(counts.unknown.iter().map(|(kind, (count, _))| format!("{count} × {kind}")));
+    if !hidden_layers.is_empty() {
+        reasons.push(format!("curves on layers that are off or frozen: {}", hidden_layers.join(", ")));
+    }
     let found = if reasons.is_empty() { String::new() } else { format!(" (only {})", reasons.join(", ")) };
     let problem = format!("there are no curves to mill in the drawing's model space{found}");
     ImportError::new(FaultKind::Empty, Place::default(), problem, "draw the pocket with lines, arcs and polylines")
@@ -203,13 +206,16 @@ fn entities<'a>(
             Reading::Drawn(entity) => entities.push(*entity),
             Reading::Hidden => counts.hidden += 1,
             Reading::Annotation => counts.annotations += 1,
-            Reading::Empty(source) => counts.empty.push(source),
-            Reading::Unknown(source) => {
-                counts.unknown.entry(raw.kind.to_owned()).or_insert((0, source)).0 += 1;
-            }
+            Reading::Empty(source) => tally(&mut counts.empty, raw.kind, source),
+            Reading::Unknown(source) => tally(&mut counts.unknown, raw.kind, source),
         }
     }
     Ok(entities)
+}
+
+/// Counts one more of a kind; the first one's source stands for all.
+fn tally(counts: &mut BTreeMap<String, (usize, Source)>, kind: &str, source: Source) {
+    counts.entry(kind.to_owned()).or_insert((0, source)).0 += 1;
 }
 
 /// One entity's groups; `at` moves on to the next entity's type.

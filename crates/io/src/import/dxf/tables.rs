@@ -104,7 +104,7 @@ impl Layers {
                     }
                     return Ok(group);
                 }
-                2 => name = Some(super::entity::layer_name(group.value).to_lowercase()),
+                2 => name = Some(super::raw::layer_name(group.value).to_lowercase()),
                 70 => visibility.frozen = group.integer()? & 1 != 0,
                 62 => visibility.off = group.integer()? < 0,
                 _ => {}

@@ -41,7 +41,7 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Cow<'_, str>, ImportError> {
         if declares_latin1(bytes) {
             return Ok(Cow::Owned(bytes.iter().map(|&b| char::from(b)).collect()));
         }
-        let line = 1 + bytes[..e.valid_up_to()].iter().filter(|&&b| b == b'\n').count();
+        let line = bytes[..e.valid_up_to()].split(|&b| b == b'\n').count();
         let problem = "the file is not UTF-8 text, as it claims to be";
         Err(ImportError::new(FaultKind::Syntax, Place::line(line), problem, "save it as UTF-8"))
     })

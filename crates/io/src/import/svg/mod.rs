@@ -27,8 +27,11 @@ use viewport::Viewport;
 /// Groups and references nested deeper than this are refused.
 const MAX_DEPTH: usize = 300;
 
-/// The most elements that are visited, each use of a reference counted.
+/// The most elements that are visited; those drawn by reference count [`USE_WEIGHT`] times each.
 const MAX_ELEMENTS: u64 = 1_000_000;
+
+/// See [`MAX_ELEMENTS`]: references multiply without the file growing.
+const USE_WEIGHT: u64 = 10;
 
 /// Elements that hold definitions or something other than geometry.
 const NOT_DRAWN: [&str; 21] = [
@@ -138,7 +141,7 @@ impl<'a> Walk<'a> {
     }
 
     fn element(&mut self, node: Node<'a, 'a>, outer: &State<'a>) -> Result<(), ImportError> {
-        self.visited += 1;
+        self.visited += if self.in_use.is_empty() { 1 } else { USE_WEIGHT };
         if self.visited > MAX_ELEMENTS || outer.depth >= MAX_DEPTH {
             let hint = "remove nested uses and groups";
             let problem = format!("more than {MAX_ELEMENTS} elements, or nested more than {MAX_DEPTH} deep");
@@ -247,7 +250,7 @@ impl<'a> Walk<'a> {
             let problem = format!("the drawing lays out to more than {MAX_CURVES} curves");
             return Err(ImportError::new(FaultKind::Limit, source.place(), problem, "remove nested uses"));
         }
-        self.add(&subpaths, state, source)
+        self.add(&subpaths, state, &source)
     }
 
     /// Whether the shape itself is asked for by its id.
@@ -257,7 +260,7 @@ impl<'a> Walk<'a> {
         id.is_some()
     }
 
-    fn add(&mut self, subpaths: &[Subpath], state: &State<'a>, source: Source) -> Result<(), ImportError> {
+    fn add(&mut self, subpaths: &[Subpath], state: &State<'a>, source: &Source) -> Result<(), ImportError> {
         let fit = self.options.fit_tolerance;
         let id = self.sketch.source(source.clone());
         if !state.style.filled {
@@ -279,7 +282,7 @@ impl<'a> Walk<'a> {
             loops.push(Contour::new(std::mem::take(&mut self.edges)));
         }
         if !state.style.even_odd && loops.len() > 1 {
-            loops = self.nonzero(loops, &source)?;
+            loops = self.nonzero(loops, source)?;
         }
         self.sketch.loops.extend(loops.into_iter().map(|contour| super::sketch::Loop { contour, source: id }));
         Ok(())

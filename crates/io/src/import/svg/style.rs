@@ -3,6 +3,7 @@
 use roxmltree::Node;
 
 /// The properties that an element hands down.
+#[allow(clippy::struct_excessive_bools, reason = "four independent properties, each with a name of its own")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Style {
     /// Whether the inside is painted.

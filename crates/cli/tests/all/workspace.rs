@@ -84,12 +84,10 @@ fn has_epsilon(line: &str) -> bool {
 
 #[test]
 fn epsilons_live_in_the_tolerance_module() {
-    assert!(has_epsilon("if x < 1e-9 {") && has_epsilon("(2.5e-3)") && !has_epsilon("the-edge e-mail 0xe-1x"));
+    assert!(has_epsilon("if x < 1e-9 {") && has_epsilon("(2.5e-3)") && !has_epsilon("the-edge e-mail 1.0 e-1"));
     for path in all_sources().into_iter().filter(|p| !is_test(p) && !p.ends_with("geom/src/tolerance.rs")) {
         for (line, text) in code(&path) {
-            // A unit's definition is no tolerance.
-            let is_unit = path.ends_with("import/units.rs");
-            assert!(is_unit || !has_epsilon(&text), "{}:{line}: {}", path.display(), text.trim());
+            assert!(!has_epsilon(&text), "{}:{line}: {}", path.display(), text.trim());
         }
     }
 }
@@ -108,10 +106,10 @@ fn files_are_short_enough_to_read() {
 
 #[test]
 fn nothing_is_left_undone_or_silenced() {
-    for path in all_sources() {
+    for path in all_sources().into_iter().filter(|p| !p.ends_with("all/workspace.rs")) {
         for (line, text) in code(&path) {
             for word in ["todo!(", "unimplemented!(", "dbg!(", "allow(dead_code)", "unsafe {"] {
-                assert!(path.ends_with("workspace.rs") || !text.contains(word), "{}:{line} has {word}", path.display());
+                assert!(!text.contains(word), "{}:{line} has {word}", path.display());
             }
         }
     }

@@ -1,0 +1,208 @@
+//! Whole plans of small regions, judged by distances.
+
+use pocketry_cam::{EntryKind, LinkKind, Plan, PlanError, PocketJob, Warning, plan};
+use pocketry_geom::distance::Boundary;
+use pocketry_geom::repair::{self, RepairOptions};
+use pocketry_geom::skeleton::Skeleton;
+use pocketry_geom::{Arc, Contour, Point, Region, Segment, point};
+use pocketry_motion::{Direction, Move};
+
+fn region(loops: &[&[[f64; 3]]]) -> Region {
+    let contours = loops.iter().map(|l| Contour::from_vertices(l)).collect();
+    repair::build(contours, &RepairOptions::default()).unwrap().region
+}
+
+fn planned(region: &Region, job: &PocketJob) -> Result<Plan, PlanError> {
+    plan(region, &Skeleton::build(region).unwrap(), job)
+}
+
+fn job(diameter: f64) -> PocketJob {
+    PocketJob::for_diameter(diameter)
+}
+
+/// The cutting moves as segments of the plane.
+fn paths(plan: &Plan) -> Vec<Segment> {
+    let moves = &plan.program.moves;
+    let pairs = moves.windows(2).map(|w| (w[0].to().xy(), w[1]));
+    pairs
+        .filter(|(from, m)| !matches!(m, Move::Rapid { .. }) && *from != m.to().xy() || matches!(m, Move::Arc { .. }))
+        .map(|(from, m)| match m {
+            Move::Arc { to, center, ccw, .. } => {
+                Segment::Arc(Arc { start: from, end: to.xy(), center, radius: from.distance(center), ccw })
+            }
+            _ => Segment::line(from, m.to().xy()),
+        })
+        .collect()
+}
+
+fn lifts(plan: &Plan, top: f64) -> usize {
+    plan.program.moves.windows(2).filter(|w| w[0].to().z < top && w[1].to().z > top).count()
+}
+
+/// Walls are kept clear of, everything within reach is swept, lifts keep to their budget, rapids stay above.
+fn assert_sound(region: &Region, plan: &Plan, job: &PocketJob) {
+    let (walls, first, radius) = (Boundary::new(region), job.first_distance(), job.tool.radius());
+    let paths = paths(plan);
+    for p in &paths {
+        assert!(walls.distance_to(p) > first - 1.01e-4, "{p:?}");
+    }
+    let bbox = region.bbox();
+    let swept = |p: Point| paths.iter().any(|s| s.distance(p) <= radius + 1e-9);
+    for k in 0..3600 {
+        let (i, j) = (f64::from(k % 60) / 59.0, f64::from(k / 60) / 59.0);
+        let p = point(bbox.min.x + i * bbox.width(), bbox.min.y + j * bbox.height());
+        // Points at least r + q from the walls are reached by the tool's axis itself.
+        if walls.signed_distance(p).abs() >= first && walls.contains(p) {
+            assert!(swept(p), "{p:?} is left");
+        }
+    }
+    let top = job.stock.top;
+    assert!(lifts(plan, top) <= plan.control_vertices * plan.passes);
+    assert_eq!(lifts(plan, top), plan.groups.len() * plan.passes);
+    for w in plan.program.moves.windows(2) {
+        if matches!(w[1], Move::Rapid { .. }) && w[0].to().xy() != w[1].to().xy() {
+            assert!(w[0].to().z > top && w[1].to().z > top);
+        }
+    }
+}
+
+const SQUARE: [[f64; 3]; 4] = [[0.0, 0.0, 0.0], [40.0, 0.0, 0.0], [40.0, 30.0, 0.0], [0.0, 30.0, 0.0]];
+
+#[test]
+fn a_rectangle_is_one_group_from_a_helix() {
+    let (region, job) = (region(&[&SQUARE]), job(6.0));
+    let plan = planned(&region, &job).unwrap();
+    assert_sound(&region, &plan, &job);
+    assert_eq!((plan.groups.len(), plan.passes, plan.warnings.len()), (1, 1, 0));
+    assert!(matches!(plan.groups[0].entry, EntryKind::Helix { .. }));
+    assert!(plan.loops.windows(2).all(|w| w[0].distance > w[1].distance), "innermost first");
+    assert!((plan.loops.last().unwrap().distance - 3.0).abs() < 1e-12);
+    assert!(plan.links[1..].iter().all(|l| l.kind == LinkKind::SideStep));
+}
+
+#[test]
+fn climb_keeps_the_wall_to_the_right_and_conventional_to_the_left() {
+    let region = region(&[&SQUARE]);
+    for (direction, sign) in [(Direction::Climb, 1.0), (Direction::Conventional, -1.0)] {
+        let job = PocketJob { direction, ..job(6.0) };
+        let plan = planned(&region, &job).unwrap();
+        assert_sound(&region, &plan, &job);
+        assert!(plan.loops.iter().all(|l| sign * Contour::new(l.segments.clone()).area() > 0.0));
+    }
+}
+
+#[test]
+fn passes_are_equal_and_each_lifts_once() {
+    let region = region(&[&SQUARE]);
+    let mut job = job(6.0);
+    (job.stock.depth, job.stepdown) = (10.0, 3.0);
+    let plan = planned(&region, &job).unwrap();
+    assert_sound(&region, &plan, &job);
+    assert_eq!((plan.passes, lifts(&plan, 0.0)), (4, 4));
+    let lowest = plan.program.moves.iter().map(|m| m.to().z).fold(0.0, f64::min);
+    assert_eq!(lowest, -10.0);
+}
+
+#[test]
+fn a_slot_as_wide_as_the_tool_is_ramped_along_its_middle() {
+    let region = region(&[&[[0.0, 0.0, 0.0], [30.0, 0.0, 1.0], [30.0, 6.0, 0.0], [0.0, 6.0, 1.0]]]);
+    for diameter in [6.0, 6.0001] {
+        let job = job(diameter);
+        let plan = planned(&region, &job).unwrap();
+        assert_sound(&region, &plan, &job);
+        assert_eq!(plan.loops.len(), 1);
+        assert!(plan.loops[0].degenerate && plan.groups[0].entry == EntryKind::Ramp);
+        let reach: Vec<f64> = plan.loops[0].segments.iter().map(|s| s.end().x).collect();
+        assert!(reach.iter().any(|x| x.abs() < 1e-9) && reach.iter().any(|x| (x - 30.0).abs() < 1e-9));
+    }
+}
+
+#[test]
+fn a_hole_as_wide_as_the_tool_is_plunged_into_with_a_warning() {
+    let region = region(&[&[[3.0, 0.0, 1.0], [-3.0, 0.0, 1.0]]]);
+    let plan = planned(&region, &job(6.0)).unwrap();
+    assert_eq!(plan.groups[0].entry, EntryKind::Plunge);
+    assert!(matches!(plan.warnings[..], [Warning::Plunge { at }] if at.distance(Point::ORIGIN) < 1e-9));
+}
+
+#[test]
+fn a_tool_that_fits_nowhere_is_told_what_would() {
+    let region = region(&[&SQUARE]);
+    let mut job = job(32.0);
+    job.stock_to_leave = 1.0;
+    match planned(&region, &job) {
+        Err(PlanError::DoesNotFit { diameter, largest }) => {
+            assert_eq!(diameter, 32.0);
+            assert!((largest - 28.0).abs() < 1e-9);
+        }
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn stepovers_above_the_radius_are_clamped() {
+    let region = region(&[&SQUARE]);
+    let job = PocketJob { stepover: 5.0, ..job(6.0) };
+    let plan = planned(&region, &job).unwrap();
+    assert_sound(&region, &plan, &job);
+    assert_eq!(plan.stepover, 3.0);
+    assert_eq!(plan.warnings, vec![Warning::StepoverClamped { asked: 5.0, used: 3.0 }]);
+}
+
+#[test]
+fn islands_are_reached_without_lifting() {
+    let boss = |x: f64, y: f64| [[x + 3.0, y, 1.0], [x - 3.0, y, 1.0]];
+    let bosses = [boss(14.0, 13.0), boss(30.0, 14.0), boss(47.0, 12.5)];
+    let outer = [[0.0, 0.0, 0.0], [60.0, 0.0, 0.0], [60.0, 26.0, 0.0], [0.0, 26.0, 0.0]];
+    let region = region(&[&outer, &bosses[0], &bosses[1], &bosses[2]]);
+    let job = job(4.0);
+    let plan = planned(&region, &job).unwrap();
+    assert_sound(&region, &plan, &job);
+    assert!(plan.links.iter().any(|l| l.kind == LinkKind::Medial));
+    assert_eq!(plan.groups.iter().map(|g| g.pocket).max(), Some(0));
+}
+
+#[test]
+fn a_neck_too_narrow_parts_the_pocket_and_one_too_small_a_chamber_is_named() {
+    let dumbbell = [
+        [0.0, 0.0, 0.0],
+        [20.0, 0.0, 0.0],
+        [20.0, 8.0, 0.0],
+        [30.0, 8.0, 0.0],
+        [30.0, 0.0, 0.0],
+        [50.0, 0.0, 0.0],
+        [50.0, 20.0, 0.0],
+        [30.0, 20.0, 0.0],
+        [30.0, 12.0, 0.0],
+        [20.0, 12.0, 0.0],
+        [20.0, 20.0, 0.0],
+        [0.0, 20.0, 0.0],
+    ];
+    let region = region(&[&dumbbell]);
+    let plan = planned(&region, &job(6.0)).unwrap();
+    assert_sound(&region, &plan, &job(6.0));
+    assert_eq!(plan.groups.iter().map(|g| g.pocket).collect::<Vec<_>>(), vec![0, 1]);
+    // With a tool just as wide as the neck, its middle is cut too.
+    let plan = planned(&region, &job(4.0)).unwrap();
+    assert_sound(&region, &plan, &job(4.0));
+    let middle = point(25.0, 10.0);
+    assert!(plan.loops.iter().flat_map(|l| &l.segments).any(|s| s.distance(middle) < 1e-9));
+}
+
+#[test]
+fn plans_are_the_same_every_time() {
+    let region = region(&[&SQUARE, &[[23.0, 15.0, 1.0], [17.0, 15.0, 1.0]]]);
+    assert_eq!(planned(&region, &job(4.0)), planned(&region, &job(4.0)));
+}
+
+#[test]
+fn numbers_that_make_no_sense_are_refused() {
+    let region = region(&[&SQUARE]);
+    for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        assert!(matches!(planned(&region, &job(bad)), Err(PlanError::Job { what: "tool diameter", .. })));
+        let job = PocketJob { stepdown: bad, ..job(6.0) };
+        assert!(matches!(planned(&region, &job), Err(PlanError::Job { what: "stepdown", .. })));
+    }
+    let tiny = PocketJob { stepover: 1e-9, ..job(6.0) };
+    assert!(matches!(planned(&region, &tiny), Err(PlanError::Job { what: "stepover", .. })));
+}

@@ -1,0 +1,6 @@
+//! The command from outside, and the rules of the workspace.
+
+mod batch;
+mod command;
+mod support;
+mod workspace;

@@ -1,0 +1,100 @@
+//! A skeleton does not depend on where, how large, which way round or which vertex first a region is drawn.
+
+use pocketry_geom::Segment;
+use pocketry_geom::offset::OffsetOptions;
+use pocketry_geom::offset::voronoi::VoronoiOffsetter;
+use pocketry_geom::skeleton::Skeleton;
+use pocketry_geom::skeleton::check::CheckOptions;
+use pocketry_testkit::{Loops, Transform, corpus, graph, shapes, strategies};
+use proptest::prelude::*;
+
+/// Builds and judges the skeleton of loops; gives it with the region's size.
+fn skeleton(loops: &Loops) -> Result<(Skeleton, f64), String> {
+    let region = corpus::region(loops).map_err(|e| e.to_string())?;
+    let skeleton = Skeleton::build(&region).map_err(|e| e.to_string())?;
+    let report = skeleton.check(&region, &CheckOptions::default());
+    let fault = report.faults.first().map(|f| format!("{f}"));
+    fault.map_or(Ok((skeleton, report.size)), Err)
+}
+
+/// The copies that a skeleton must not notice.
+fn copies(loops: &Loops) -> Vec<(String, Transform)> {
+    let plain = Transform::default();
+    let mut all = vec![
+        ("turned".to_string(), Transform { rotate: 0.3, ..plain }),
+        ("mirrored".into(), Transform { mirror: true, ..plain }),
+        ("reversed".into(), Transform { reverse: true, ..plain }),
+        ("moved".into(), Transform { translate: [1e4, -1e4], ..plain }),
+        ("smaller".into(), Transform { scale: 1e-2, ..plain }),
+        ("larger".into(), Transform { scale: 1e2, ..plain }),
+    ];
+    let longest = loops.iter().map(Vec::len).max().unwrap_or(0);
+    all.extend((1..longest).map(|start| (format!("from vertex {start}"), Transform { start, ..plain })));
+    all
+}
+
+/// Offsets at shares of the largest clearance that no shape here has a pass or a peak at.
+fn same_offsets(a: &Skeleton, b: &Skeleton, transform: &Transform, tolerance: f64) -> Result<(), String> {
+    let (here, there) = (VoronoiOffsetter::new(a), VoronoiOffsetter::new(b));
+    let deepest = a.vertices().iter().map(|v| v.clearance).fold(0.0, f64::max);
+    for share in [0.0917, 0.3371, 0.7713] {
+        let d = share * deepest;
+        let x = here.offset(d, &OffsetOptions::default()).map_err(|e| e.to_string())?;
+        let y = there.offset(d * transform.scale, &OffsetOptions::default()).map_err(|e| e.to_string())?;
+        if x.loops.len() != y.loops.len() {
+            return Err(format!("{} loops at {d} became {}", x.loops.len(), y.loops.len()));
+        }
+        let images: Vec<Segment> = y.loops.iter().flat_map(|l| l.contour.segments.clone()).collect();
+        for segment in x.loops.iter().flat_map(|l| &l.contour.segments) {
+            for t in [0.0, 0.31, 0.62] {
+                let p = transform.apply_point(segment.at(t));
+                let off = images.iter().map(|s| s.distance(p)).fold(f64::INFINITY, f64::min);
+                if off > tolerance {
+                    return Err(format!("offset at {d} is {off:.1e} off at ({}, {})", p.x, p.y));
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+fn holds_for_all_copies(loops: &Loops) -> Result<(), String> {
+    let (original, size) = skeleton(loops)?;
+    for (name, transform) in copies(loops) {
+        let (image, _) = skeleton(&transform.apply(loops)).map_err(|e| format!("{name}: {e}"))?;
+        let tolerance = 1e-8 * size * transform.scale;
+        graph::same(&original, &image, &transform, tolerance).map_err(|e| format!("{name}: {e}"))?;
+        same_offsets(&original, &image, &transform, 10.0 * tolerance).map_err(|e| format!("{name}: {e}"))?;
+    }
+    Ok(())
+}
+
+#[test]
+fn fixed_shapes() {
+    let shapes: [(&str, Loops); 6] = [
+        ("rounded rectangle", vec![shapes::rounded_rectangle(100.0, 60.0, 10.0)]),
+        ("plate with a hole", vec![shapes::rounded_rectangle(100.0, 60.0, 10.0), shapes::circle(8.0, [30.0, 25.0])]),
+        ("comb", vec![shapes::comb(5, 3.0)]),
+        ("gear", vec![shapes::gear(9, 8.0, 10.0)]),
+        ("polygon", vec![shapes::ngon(7, 5.0, [0.0; 2])]),
+        ("polygons", vec![shapes::ngon(11, 9.0, [0.0; 2]), shapes::ngon(3, 2.0, [1.0, 2.0])]),
+    ];
+    let wrong: Vec<String> = shapes
+        .iter()
+        .filter_map(|(name, loops)| holds_for_all_copies(loops).err().map(|e| format!("{name}: {e}")))
+        .collect();
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 48, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn random_regions(loops in strategies::region(), rotate in 0.0..6.0, start in 0..20_usize, mirror: bool, reverse: bool) {
+        let failed = |e: String| TestCaseError::fail(format!("{e}\n{loops:?}"));
+        let (original, size) = skeleton(&loops).map_err(failed)?;
+        let transform = Transform { rotate, start, mirror, reverse, translate: [40.0, -3.0], scale: 1.7 };
+        let (image, _) = skeleton(&transform.apply(&loops)).map_err(failed)?;
+        graph::same(&original, &image, &transform, 1e-7 * size).map_err(failed)?;
+    }
+}
