@@ -44,7 +44,12 @@ impl Centers {
 
     /// Whether a point is an admissible centre itself.
     pub(crate) fn contain(&self, walls: &Walls, p: Point) -> bool {
-        !walls.tree.any_within(p, self.clearance) && walls.contain(p)
+        !self.excluded_by_wall(walls, p) && walls.contain(p)
+    }
+
+    /// Whether a wall is too near to a point for it to be an admissible centre.
+    pub(crate) fn excluded_by_wall(&self, walls: &Walls, p: Point) -> bool {
+        walls.tree.any_within(p, self.clearance)
     }
 
     /// The outline of all that a disc of this radius about admissible centres covers, to the left of every piece.

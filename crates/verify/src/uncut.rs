@@ -55,12 +55,12 @@ impl Sweep {
             let p = piece.at(0.5);
             self.cells.hold_point(p) || self.tree.any_within(p, self.radius)
         };
-        let clear = |piece: &Segment| {
-            centers.tree.nearest_to_curve(piece, radius).is_none() && !centers.contain(walls, piece.at(0.5))
-        };
-        // Most curves are known to be swept over, or are clear as a whole; the others are clipped first.
+        let away = |piece: &Segment| centers.tree.nearest_to_curve(piece, radius).is_none();
+        let clear = |piece: &Segment| away(piece) && !centers.contain(walls, piece.at(0.5));
+        // Most curves are known to be swept over, or keep by a wall and so are clear as a whole; the others are clipped first.
+        let beside = |curve: &Segment| centers.excluded_by_wall(walls, curve.at(0.5)) && away(curve);
         let holds =
-            |curve: &Segment| self.cells.hold_curve(curve) || clear(curve) || self.exposed(curve).iter().all(clear);
+            |curve: &Segment| self.cells.hold_curve(curve) || beside(curve) || self.exposed(curve).iter().all(clear);
         centers.pieces.par_iter().with_min_len(64).all(met) && self.curves.par_iter().with_min_len(64).all(holds)
     }
 
