@@ -86,19 +86,35 @@ impl Sweep {
         outline::drop_repeated(&mut pieces, reach);
         let next = outline::links(&pieces, reach);
         let loops = outline::loops(&pieces, &next);
-        let mut spots: Vec<Spot> = loops.iter().map(|l| self.spot(&pieces, l)).collect();
-        spots.sort_by(|a, b| b.area.total_cmp(&a.area));
-        spots
+        let mut spots: Vec<(BBox, Spot)> = loops.iter().map(|l| self.spot(&pieces, l)).collect();
+        spots.sort_by(|a, b| b.1.area.total_cmp(&a.1.area));
+        without_holes(spots)
     }
 
-    fn spot(&self, pieces: &[Segment], walk: &outline::Loop) -> Spot {
+    fn spot(&self, pieces: &[Segment], walk: &outline::Loop) -> (BBox, Spot) {
         let members = || walk.pieces.iter().map(|&k| &pieces[k as usize]);
         let bbox = members().fold(BBox::EMPTY, |b, p| b.union(p.bbox()));
         let points = members().flat_map(|p| [p.start(), p.at(0.5)]);
         let (beyond, at) = points.map(|p| (self.beyond(p), p)).max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or_default();
         let narrow = 0.5 * bbox.width().min(bbox.height());
-        Spot { at, area: walk.area, radius: narrow.min((walk.area.abs() / PI).sqrt()), beyond }
+        (bbox, Spot { at, area: walk.area, radius: narrow.min((walk.area.abs() / PI).sqrt()), beyond })
     }
+}
+
+/// Takes the holes (loops of negative area, which come last) out of the least spots about them. Where nothing else is
+/// left, the largest loop stays, with no area: a place that can't be proven to be cut.
+fn without_holes(mut spots: Vec<(BBox, Spot)>) -> Vec<Spot> {
+    let holes = spots.split_off(spots.partition_point(|s| s.1.area > 0.0));
+    for (bbox, hole) in &holes {
+        if let Some((_, spot)) = spots.iter_mut().rev().find(|(about, _)| about.union(*bbox) == *about) {
+            spot.area = (spot.area + hole.area).max(0.0);
+        }
+    }
+    spots.sort_by(|a, b| b.1.area.total_cmp(&a.1.area));
+    if spots.is_empty() {
+        spots.extend(holes.first().map(|(bbox, hole)| (*bbox, Spot { area: 0.0, ..*hole })));
+    }
+    spots.into_iter().map(|(_, spot)| spot).collect()
 }
 
 /// Both parallels of an unbroken run of curves, the sectors about its joints and the caps of its ends, with the swept
