@@ -5,8 +5,8 @@ use pocketry_geom::{BBox, Point, Segment, Vec2, vec2};
 /// Cells to the disc's radius.
 const CELLS_PER_RADIUS: f64 = 3.0;
 
-/// Never more cells than this.
-const MOST_CELLS: f64 = 16_000_000.0;
+/// Never more cells than this: 48 MB.
+const MOST_CELLS: f64 = 400_000_000.0;
 
 /// The cells known to be swept.
 pub(crate) struct Cells {

@@ -67,7 +67,7 @@ pub fn verify(region: &Region, program: &str, options: &VerifyOptions) -> Result
         outside: outside.map_or(0.0, |o| o.0),
         outside_line: outside.map(|o| o.1),
         covered: cover.spots.is_none(),
-        uncut_area: cover.spots.iter().flatten().map(|s| s.area).sum::<f64>().max(0.0),
+        uncut_area: cover.spots.iter().flatten().fold(0.0, |sum, s| sum + s.area),
         uncut_spots: cover.spots.unwrap_or_default(),
         region_area,
         reachable_area: reachable.area.min(region_area),

@@ -4,12 +4,17 @@
 //! a little more. Their outline is cut out of the walls' inner parallels and the sectors about reflex corners. The
 //! opening is all that a tool in an admissible centre covers; its outline is cut out of the outer parallels of the
 //! centres' outline and the sectors about its corners.
+//!
+//! Where walls touch, or run back on themselves as the sides of a spike do, the parallel of one wall comes out behind the
+//! other and there keeps its distance from both, for as long as they lie within the rounding of one another. No piece
+//! meets a wall, so its middle tells whether it lies inside the region.
 
 use crate::outline::{self, Side};
 use crate::tree::Tree;
 use crate::walls::Walls;
 use pocketry_geom::tolerance::proof::CUSP;
 use pocketry_geom::{Point, Segment};
+use rayon::prelude::*;
 use std::f64::consts::PI;
 
 /// The outline of the admissible centres, which lie to the left of every piece.
@@ -29,15 +34,22 @@ impl Centers {
         for (wall, &next) in walls.segments.iter().zip(&walls.next) {
             let next = &walls.segments[next as usize];
             curves.extend(outline::parallel(wall, clearance, Side::Left));
-            curves.extend(corner(walls, wall, next, clearance));
+            curves.extend(corner(wall, next, clearance));
         }
-        let pieces = outline::exposed(&curves, &walls.tree, clearance - rounding);
+        let exposed = outline::exposed(&curves, &walls.tree, clearance - rounding);
+        let inside = |piece: &Segment| walls.contain(piece.at(0.5));
+        let pieces: Vec<Segment> = exposed.into_par_iter().with_min_len(64).filter(inside).collect();
         Self { tree: Tree::new(&pieces), pieces, clearance: clearance - rounding, rounding }
     }
 
     /// Whether a point is an admissible centre itself.
     pub(crate) fn contain(&self, walls: &Walls, p: Point) -> bool {
-        !walls.tree.any_within(p, self.clearance) && walls.contain(p)
+        !self.excluded_by_wall(walls, p) && walls.contain(p)
+    }
+
+    /// Whether a wall is too near to a point for it to be an admissible centre.
+    pub(crate) fn excluded_by_wall(&self, walls: &Walls, p: Point) -> bool {
+        walls.tree.any_within(p, self.clearance)
     }
 
     /// The outline of all that a disc of this radius about admissible centres covers, to the left of every piece.
@@ -77,13 +89,13 @@ pub(crate) struct Opening {
     pub(crate) closed: bool,
 }
 
-/// The sector about a reflex corner. At a cusp (a turn of half a circle) the sign of the turn tells nothing: the sector
-/// is kept where it lies inside the region.
-fn corner(walls: &Walls, wall: &Segment, next: &Segment, radius: f64) -> Option<Segment> {
+/// The sector about a reflex corner. At a cusp (a turn of half a circle) the sign of the turn tells nothing; the sector
+/// of a cusp that is no reflex corner lies outside the region.
+fn corner(wall: &Segment, next: &Segment, radius: f64) -> Option<Segment> {
     let turn = wall.end_tangent().angle_to(next.start_tangent());
     if turn.abs() < PI - CUSP {
-        return outline::sector(wall, next, radius, Side::Left);
+        outline::sector(wall, next, radius, Side::Left)
+    } else {
+        Some(outline::cap(wall.end(), wall.end_tangent(), radius))
     }
-    let cap = outline::cap(wall.end(), wall.end_tangent(), radius);
-    walls.contain(cap.at(0.5)).then_some(cap)
 }

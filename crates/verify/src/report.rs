@@ -20,7 +20,7 @@ pub struct Gouge {
 pub struct Spot {
     /// A point of it, the farthest from the tool that was looked at.
     pub at: Point,
-    /// Area, mm²; negative for a hole in another spot.
+    /// Area without holes, mm²; 0 where the place is only in doubt.
     pub area: f64,
     /// No circle larger than this fits into it, mm.
     pub radius: f64,
@@ -185,9 +185,16 @@ impl Report {
             return;
         }
         let n = self.uncut_spots.iter().filter(|s| s.area > 0.0).count();
-        let place = self.uncut_spots.first().map_or_else(String::new, |s| {
-            format!(", the largest ({:.4} mm²) at X{:.4} Y{:.4}", s.area, s.at.x, s.at.y)
+        out.push(match self.uncut_spots.first() {
+            Some(s) if n > 0 => format!(
+                "{:.4} mm² that the tool can reach are left uncut in {n} place(s), the largest ({:.4} mm²) at X{:.4} Y{:.4}",
+                self.uncut_area, s.area, s.at.x, s.at.y
+            ),
+            Some(s) => format!(
+                "it can't be shown that nothing within reach is left uncut; the doubt is at X{:.4} Y{:.4}",
+                s.at.x, s.at.y
+            ),
+            None => "it can't be shown that nothing within the tool's reach is left uncut".into(),
         });
-        out.push(format!("{:.4} mm² that the tool can reach are left uncut in {n} place(s){place}", self.uncut_area));
     }
 }

@@ -55,12 +55,12 @@ impl Sweep {
             let p = piece.at(0.5);
             self.cells.hold_point(p) || self.tree.any_within(p, self.radius)
         };
-        let clear = |piece: &Segment| {
-            centers.tree.nearest_to_curve(piece, radius).is_none() && !centers.contain(walls, piece.at(0.5))
-        };
-        // Most curves are known to be swept over, or are clear as a whole; the others are clipped first.
+        let away = |piece: &Segment| centers.tree.nearest_to_curve(piece, radius).is_none();
+        let clear = |piece: &Segment| away(piece) && !centers.contain(walls, piece.at(0.5));
+        // Most curves are known to be swept over, or keep by a wall and so are clear as a whole; the others are clipped first.
+        let beside = |curve: &Segment| centers.excluded_by_wall(walls, curve.at(0.5)) && away(curve);
         let holds =
-            |curve: &Segment| self.cells.hold_curve(curve) || clear(curve) || self.exposed(curve).iter().all(clear);
+            |curve: &Segment| self.cells.hold_curve(curve) || beside(curve) || self.exposed(curve).iter().all(clear);
         centers.pieces.par_iter().with_min_len(64).all(met) && self.curves.par_iter().with_min_len(64).all(holds)
     }
 
@@ -86,19 +86,35 @@ impl Sweep {
         outline::drop_repeated(&mut pieces, reach);
         let next = outline::links(&pieces, reach);
         let loops = outline::loops(&pieces, &next);
-        let mut spots: Vec<Spot> = loops.iter().map(|l| self.spot(&pieces, l)).collect();
-        spots.sort_by(|a, b| b.area.total_cmp(&a.area));
-        spots
+        let mut spots: Vec<(BBox, Spot)> = loops.iter().map(|l| self.spot(&pieces, l)).collect();
+        spots.sort_by(|a, b| b.1.area.total_cmp(&a.1.area));
+        without_holes(spots)
     }
 
-    fn spot(&self, pieces: &[Segment], walk: &outline::Loop) -> Spot {
+    fn spot(&self, pieces: &[Segment], walk: &outline::Loop) -> (BBox, Spot) {
         let members = || walk.pieces.iter().map(|&k| &pieces[k as usize]);
         let bbox = members().fold(BBox::EMPTY, |b, p| b.union(p.bbox()));
         let points = members().flat_map(|p| [p.start(), p.at(0.5)]);
         let (beyond, at) = points.map(|p| (self.beyond(p), p)).max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or_default();
         let narrow = 0.5 * bbox.width().min(bbox.height());
-        Spot { at, area: walk.area, radius: narrow.min((walk.area.abs() / PI).sqrt()), beyond }
+        (bbox, Spot { at, area: walk.area, radius: narrow.min((walk.area.abs() / PI).sqrt()), beyond })
     }
+}
+
+/// Takes the holes (loops of negative area, which come last) out of the least spots about them. Where nothing else is
+/// left, the largest loop stays, with no area: a place that can't be proven to be cut.
+fn without_holes(mut spots: Vec<(BBox, Spot)>) -> Vec<Spot> {
+    let holes = spots.split_off(spots.partition_point(|s| s.1.area > 0.0));
+    for (bbox, hole) in &holes {
+        if let Some((_, spot)) = spots.iter_mut().rev().find(|(about, _)| about.union(*bbox) == *about) {
+            spot.area = (spot.area + hole.area).max(0.0);
+        }
+    }
+    spots.sort_by(|a, b| b.1.area.total_cmp(&a.1.area));
+    if spots.is_empty() {
+        spots.extend(holes.first().map(|(bbox, hole)| (*bbox, Spot { area: 0.0, ..*hole })));
+    }
+    spots.into_iter().map(|(_, spot)| spot).collect()
 }
 
 /// Both parallels of an unbroken run of curves, the sectors about its joints and the caps of its ends, with the swept

@@ -256,3 +256,75 @@ fn unknown_codes_name_their_line() {
         assert!(error.to_string().starts_with("line 6:"), "{code}: {error}");
     }
 }
+
+/// A square pocket from the origin with a spike of this width downwards from the middle of its lower wall.
+fn spiked(width: f64) -> Region {
+    let (from, to) = (10.0 - 0.5 * width, 10.0 + 0.5 * width);
+    let vertices = [[0.0, 0.0], [from, 0.0], [10.0, -15.0], [to, 0.0], [20.0, 0.0], [20.0, 20.0], [0.0, 20.0]];
+    let contour = Contour::from_vertices(&vertices.map(|[x, y]| [x, y, 0.0]));
+    Region::from_parts_unchecked(vec![contour], vec![None])
+}
+
+/// A square pocket with a round island of radius 4 that touches its lower wall in the middle.
+fn touched() -> Region {
+    let mut contours = rectangle(30.0, 30.0).contours().to_vec();
+    contours.push(Contour::from_vertices(&[[15.0, 0.0, -1.0], [15.0, 8.0, -1.0]]));
+    Region::from_parts_unchecked(contours, vec![None, Some(0)])
+}
+
+/// Along the walls from one side of the touch to the other and back about the island (7 from its centre), then an arc
+/// at 12 from it, then strokes over the rest.
+fn touched_program() -> Vec<String> {
+    // The centre that touches both the lower wall and the island lies 3 above the wall and 7 from the island's centre.
+    let foot = 48.0_f64.sqrt();
+    let far = 143.0_f64.sqrt();
+    let mut blocks = vec![
+        format!("G0 X{:.4} Y3\nG0 Z2\nG1 Z-3 F200\nX27 F600\nY27\nX3\nY3\nX{:.4}", 15.0 + foot, 15.0 - foot),
+        format!("G2 X{:.4} Y3 I{foot:.4} J1\nG0 Z10", 15.0 + foot),
+        format!("G0 X{:.4} Y3\nG0 Z2\nG1 Z-3 F200\nG2 X{:.4} Y3 I{far:.4} J1\nG0 Z10", 15.0 - far, 15.0 + far),
+    ];
+    for x in [3.0, 6.0, 10.0, 14.0, 18.0, 22.0, 27.0] {
+        blocks.push(format!("G0 X{x} Y14\nG0 Z2\nG1 Z-3 F200\nY27 F600\nG0 Z10"));
+    }
+    blocks
+}
+
+#[test]
+fn a_spike_that_closes_within_the_rounding_has_no_centres_behind_its_sides() {
+    // Next to the tip the parallel of either side comes out behind the other and keeps its distance from both.
+    for width in [1e-3, 2e-6, 2e-7, 2e-8, 2e-9, 2e-11] {
+        let text = program(&rectangular_loops(20.0, 20.0, &[3.0, 5.5, 8.0]));
+        let report = judge(&spiked(width), &text);
+        assert_eq!(report.complaints(), Vec::<String>::new(), "spike {width} wide");
+        assert!((report.reachable_area - 400.0 + (4.0 - std::f64::consts::PI) * R * R).abs() < report.area_error);
+        for (wrong, because) in [(vec![3.0, 9.5], "left uncut"), (vec![3.05, 5.5, 8.0], "left uncut")] {
+            refused(&judge(&spiked(width), &program(&rectangular_loops(20.0, 20.0, &wrong))), because);
+        }
+    }
+}
+
+#[test]
+fn an_island_that_touches_the_wall_has_no_centres_behind_the_wall() {
+    let region = touched();
+    assert_eq!(judge(&region, &program(&touched_program())).complaints(), Vec::<String>::new());
+    let mut without_arc = touched_program();
+    without_arc.remove(2);
+    refused(&judge(&region, &program(&without_arc)), "left uncut");
+    let last = touched_program()[0].rsplit('\n').next().unwrap().to_owned();
+    let (too_far, too_high) = (format!("X8.1218\n{last}"), format!("Y3.05\n{last}\nY3"));
+    for (instead, because) in [(too_far, "into the wall"), (too_high, "left uncut")] {
+        let mut blocks = touched_program();
+        blocks[0] = blocks[0].replace(&format!("Y3\n{last}"), &format!("Y3\n{instead}"));
+        refused(&judge(&region, &program(&blocks)), because);
+    }
+}
+
+#[test]
+fn what_is_left_round_a_swept_middle_is_told_without_its_hole() {
+    let report = judge(&rectangle(40.0, 40.0), &program(&rectangular_loops(40.0, 40.0, &[3.0, 17.0, 19.0])));
+    refused(&report, "left uncut in 1 place(s)");
+    assert!(report.uncut_spots.iter().all(|s| s.area >= 0.0));
+    let (c, r) = (report.budget.cover, R + report.budget.cover);
+    let expected = (28.0 - 2.0 * c).powi(2) - 36.0 - 24.0 * r - std::f64::consts::PI * r * r;
+    assert!((report.uncut_area - expected).abs() < 1e-3, "{} {expected}", report.uncut_area);
+}

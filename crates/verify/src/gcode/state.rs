@@ -29,11 +29,19 @@ enum Blending {
     Unbounded,
 }
 
+/// What coordinates count from.
+#[derive(Clone, Copy, PartialEq)]
+enum Frame {
+    Absolute,
+    /// The place where the move starts.
+    Relative,
+}
+
 struct State {
     mode: Option<Mode>,
     unit: f64,
-    relative: bool,
-    absolute_centers: bool,
+    targets: Frame,
+    centers: Frame,
     blending: Blending,
     feed: bool,
     spindle: bool,
@@ -45,8 +53,8 @@ pub(crate) fn read(text: &str) -> Result<Trace, ProgramError> {
     let mut state = State {
         mode: None,
         unit: 1.0,
-        relative: false,
-        absolute_centers: false,
+        targets: Frame::Absolute,
+        centers: Frame::Relative,
         blending: Blending::Unbounded,
         feed: false,
         spindle: false,
@@ -186,11 +194,11 @@ impl State {
                 13
             }
             900 | 910 => {
-                self.relative = code == 910;
+                self.targets = if code == 910 { Frame::Relative } else { Frame::Absolute };
                 3
             }
             901 | 911 => {
-                self.absolute_centers = code == 901;
+                self.centers = if code == 911 { Frame::Relative } else { Frame::Absolute };
                 4
             }
             940 => 5,
@@ -296,8 +304,11 @@ impl State {
         let mut end = self.at;
         for (slot, letter) in end.iter_mut().zip(['X', 'Y', 'Z']) {
             if let Some(value) = block.length(letter, self.unit)? {
-                let base =
-                    if self.relative { slot.ok_or(ProgramError::UnknownStart { line: block.line })? } else { 0.0 };
+                let base = if self.targets == Frame::Relative {
+                    slot.ok_or(ProgramError::UnknownStart { line: block.line })?
+                } else {
+                    0.0
+                };
                 *slot = Some(base + value);
                 if letter != 'Z' {
                     let decimals = block.word(letter).map_or(0, |w| w.decimals);
@@ -324,11 +335,11 @@ impl State {
             ArcMove::center_of_radius(start, end, radius, ccw, line)?
         } else {
             let (i, j) = (block.length('I', self.unit)?, block.length('J', self.unit)?);
-            match (self.absolute_centers, i, j) {
-                (true, Some(i), Some(j)) => point(i, j),
-                (true, ..) => return Err(failed("G90.1 needs both I and J")),
-                (false, None, None) => return Err(failed("I, J and R are missing")),
-                (false, i, j) => point(start.x + i.unwrap_or(0.0), start.y + j.unwrap_or(0.0)),
+            match (self.centers, i, j) {
+                (Frame::Absolute, Some(i), Some(j)) => point(i, j),
+                (Frame::Absolute, ..) => return Err(failed("G90.1 needs both I and J")),
+                (Frame::Relative, None, None) => return Err(failed("I, J and R are missing")),
+                (Frame::Relative, i, j) => point(start.x + i.unwrap_or(0.0), start.y + j.unwrap_or(0.0)),
             }
         };
         let turns = block.value('P').unwrap_or(1.0);
