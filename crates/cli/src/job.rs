@@ -34,7 +34,9 @@ pub(crate) fn run(drawing: &Drawing, settings: &Settings, report: &mut JobReport
     report.set_plan(&plan, &figures);
     let text = write(&plan, &figures, &setup, &report.id)?;
 
-    if let Ok(d) = std::env::var("KEEP") { let _ = std::fs::write(format!("{d}/{}.ngc", report.id.replace('/', "_")), &text); }
+    if let Ok(d) = std::env::var("KEEP") {
+        let _ = std::fs::write(format!("{d}/{}.ngc", report.id.replace('/', "_")), &text);
+    }
     let proof = prove(drawing, &setup, &text)?;
     report.set_proof(&proof);
     report.details = Some(details(&setup, &plan, &figures, &proof));
