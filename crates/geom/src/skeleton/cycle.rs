@@ -168,7 +168,10 @@ impl<'a> Bridging<'a> {
                 (None, None) if disk.radius > tol::LARGEST_DISK => break,
                 (None, None) => disk = at(2.0 * disk.radius),
                 (Some((k, _)), _) => {
-                    let radius = closed_pencil_radius(&self.rings.elements[k as usize], foot.0, Vec2::ZERO, foot.1);
+                    // a disk that is still too large may reach over one wall to the back of another
+                    let e = &self.rings.elements[k as usize];
+                    let reach = |e: &Element| closed_pencil_radius(e, foot.0, Vec2::ZERO, foot.1);
+                    let radius = reach(e).min(reach(&e.flipped()));
                     let stuck = contact.is_some() && radius >= disk.radius;
                     contact = Some(k);
                     if stuck {

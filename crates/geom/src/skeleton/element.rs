@@ -263,6 +263,18 @@ impl Element {
         turn(self.carrier, self.n0, n)
     }
 
+    /// The same curve seen from its other side.
+    pub(super) fn flipped(&self) -> Self {
+        let carrier = match self.carrier {
+            Carrier::Line => Carrier::Line,
+            Carrier::Outside if self.rho == 0.0 => return *self,
+            Carrier::Outside => Carrier::Inside,
+            Carrier::Inside => Carrier::Outside,
+        };
+        let (start, end, center) = (self.end, self.start, if self.is_line() { self.end } else { self.center });
+        Self { start, end, center, n0: -self.n1, n1: -self.n0, rho: -self.rho, carrier, ..*self }
+    }
+
     /// The piece between two feet with their normals.
     pub(super) fn piece(&self, from: (Point, Vec2), to: (Point, Vec2)) -> Self {
         let ((start, n0), (end, n1)) = (from, to);
