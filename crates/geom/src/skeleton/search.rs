@@ -42,7 +42,19 @@ fn first_guess(scene: &Scene, (a, b): (u32, u32), parent: Disk) -> Option<(u32, 
     }
     match front {
         Some(disk) if elements[b as usize - 1].distance(disk.center) >= disk.radius - tol::EMPTY => Some((a + 1, disk)),
-        _ => touching(scene, (a, b - 1, b), parent).map(|disk| (b - 1, disk)).or(front.map(|disk| (a + 1, disk))),
+        _ => {
+            // where the neighbours are arcs too tight for the disk, the vertices beyond them, or whatever lies nearest
+            let nearest = || {
+                let hit = scene.heap.nearest(elements, (a + 1, b - 1), parent.center, f64::INFINITY);
+                hit.and_then(|(k, _)| touching_near(scene, (a, k, b), parent))
+            };
+            let guess = |k: u32| touching(scene, (a, k, b), parent).map(|disk| (k, disk));
+            guess(b - 1)
+                .or(front.map(|disk| (a + 1, disk)))
+                .or_else(|| guess(a + 2))
+                .or_else(|| guess(b - 2))
+                .or_else(nearest)
+        }
     }
 }
 
