@@ -215,7 +215,7 @@ pub mod skeleton {
     /// cells, whose directions it mixes up, miss by no more than half of it.
     pub const SMOOTH: f64 = 1e-9;
     /// Turn from a cusp of angle 0 or 2π, radians, below which curvature and not direction tells which it is.
-    pub const CUSP: f64 = 1e-9;
+    pub const CUSP: f64 = 1e-6;
     /// Two disks nearer to one another than this are one vertex of higher degree, verified already.
     pub const SAME_DISK: f64 = 1e-14;
     /// Where the growth of a disk from a contact starts, and where it is given up: nothing is larger than the frame.
