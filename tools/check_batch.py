@@ -73,12 +73,19 @@ def rs274(options):
     return bool(results) and accepted == len(results)
 
 
+def fits_nowhere(record):
+    return (record["error"] or {}).get("kind") == "does-not-fit"
+
+
 def refereed(job):
     script, region, program, radius = job
     spec = importlib.util.spec_from_file_location("referee", script)
     referee = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(referee)
     try:
+        if program is None:  # said to fit nowhere: then no centre has a clearance of the radius
+            eroded = referee.region_polygon(region["loops"]).buffer(-radius)
+            return region["id"], eroded.is_empty, {"eroded_area": eroded.area}
         with open(program) as text:
             figures, passed = referee.judge(region["loops"], text.read(), radius)
         return region["id"], passed, {k: figures[k] for k in ("gouge_depth", "outside", "uncut_spots", "uncut_radius", "uncut_area")}
@@ -96,9 +103,9 @@ def referee(options):
                 sample.append((by_hash(region["id"]), region, record))
     sample.sort(key=lambda s: s[0])
     sample = sample[:options.sample]
-    jobs = [(options.script, region, r["program"], r["tool_radius"]) for _, region, r in sample if r["status"] == "proven"]
+    jobs = [(options.script, region, r["program"], r["tool_radius"] or region["tool_radius"]) for _, region, r in sample if r["status"] == "proven" or fits_nowhere(r)]
     for _, region, record in sample:
-        if record["status"] != "proven":
+        if record["status"] != "proven" and not fits_nowhere(record):
             print(f"nothing to judge: {region['id']} is {record['status']}")
     with concurrent.futures.ProcessPoolExecutor(os.cpu_count()) as pool:
         results = list(pool.map(refereed, jobs, chunksize=4))

@@ -102,8 +102,9 @@ fn touching(scene: &Scene, (a, c, b): (u32, u32, u32), parent: Disk) -> Option<D
     }
     let mut spokes = spokes_among(scene, (a, c, b));
     if let Some((foot, normal, other)) = spokes.next() {
-        if spokes.next().is_some() {
-            return between_spokes(e);
+        if let Some((_, _, another)) = spokes.next() {
+            let shared = [a, c, b].into_iter().find(|&k| k != other && k != another).unwrap_or(c);
+            return between_spokes(e, &scene.cycle.elements[shared as usize]);
         }
         let other = &scene.cycle.elements[other as usize];
         let radius = other.pencil_radius(foot, normal);
@@ -143,11 +144,11 @@ fn spokes_among(scene: &Scene, (a, c, b): (u32, u32, u32)) -> impl Iterator<Item
     })
 }
 
-/// Two spokes meet only in the centre of an arc seen from inside that ends in both; those of a reflex vertex, of a line
-/// or of an arc seen from outside never do.
-fn between_spokes(e: [&Element; 3]) -> Option<Disk> {
-    let arcs = e.iter().filter(|e| e.carrier == Carrier::Inside);
-    arcs.map(|arc| Disk { center: arc.center, radius: -arc.rho }).find(|&disk| vertex::residual(e, disk) <= tol::FOOT)
+/// The two spokes of one element meet only if it is an arc seen from inside, and then in its centre; those of a reflex
+/// vertex, of a line or of an arc seen from outside never do.
+fn between_spokes(e: [&Element; 3], shared: &Element) -> Option<Disk> {
+    let disk = Disk { center: shared.center, radius: -shared.rho };
+    (shared.carrier == Carrier::Inside && vertex::residual(e, disk) <= tol::FOOT).then_some(disk)
 }
 
 /// Twice the signed area of the triangle of contacts: positive where they follow one another counter-clockwise.

@@ -9,8 +9,8 @@ use pocketry_motion::Point3;
 /// Millimetres in an inch.
 const INCH: f64 = 25.4;
 
-/// No machine goes farther, mm.
-const LARGEST: f64 = 1e9;
+/// No machine goes farther, mm: no drawing does.
+const LARGEST: f64 = pocketry_geom::tolerance::ABSURD;
 
 /// The modal motion.
 #[derive(Clone, Copy, PartialEq)]
