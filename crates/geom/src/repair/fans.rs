@@ -15,7 +15,7 @@ pub(super) fn outgoing(pieces: &[Piece], dart: Dart) -> Segment {
     if dart & 1 == 0 { segment } else { segment.reversed() }
 }
 
-/// The darts of every vertex, counter-clockwise.
+/// The darts of every vertex.
 #[derive(Debug, Default)]
 pub(super) struct Fans {
     first: Vec<u32>,
@@ -42,8 +42,6 @@ impl Fans {
             let fan = &mut darts[first[v] as usize..first[v + 1] as usize];
             if fan.len() > 2 {
                 sort_around(pieces, fan);
-            } else if fan.len() == 2 {
-                order_pair(pieces, fan);
             }
         }
         let mut place = vec![0; darts.len()];
@@ -51,10 +49,17 @@ impl Fans {
         Self { first, darts, place }
     }
 
-    /// The darts that leave a vertex, counter-clockwise; the gap from the last one to the first holds the direction −x
-    /// unless nearly tangent darts lie on both sides of it.
+    /// The darts that leave a vertex; more than two are ordered counter-clockwise.
     pub(super) fn at(&self, vertex: u32) -> &[Dart] {
         &self.darts[self.first[vertex as usize] as usize..self.first[vertex as usize + 1] as usize]
+    }
+
+    /// The last dart of a vertex counter-clockwise: the gap from it to the first one holds the direction −x unless nearly
+    /// tangent darts lie on both sides of it.
+    pub(super) fn last(&self, pieces: &[Piece], vertex: u32) -> Dart {
+        let mut fan = self.at(vertex).to_vec();
+        sort_around(pieces, &mut fan);
+        fan[fan.len() - 1]
     }
 
     /// The place of a dart among those of its vertex.
@@ -65,16 +70,6 @@ impl Fans {
     /// Vertices at which more than two pieces end.
     pub(super) fn touches(&self) -> impl Iterator<Item = u32> + '_ {
         (0..self.first.len() as u32 - 1).filter(|&v| self.at(v).len() > 2)
-    }
-}
-
-/// Two darts need an order only where the vertex may be the leftmost one.
-fn order_pair(pieces: &[Piece], fan: &mut [Dart]) {
-    let [a, b] = [fan[0], fan[1]].map(|d| outgoing(pieces, d));
-    let at = a.start();
-    let opens_right = |s: &Segment| s.end().x >= at.x || matches!(s, Segment::Arc(_));
-    if opens_right(&a) && opens_right(&b) {
-        sort_around(pieces, fan);
     }
 }
 

@@ -72,8 +72,7 @@ fn first_side(pieces: &[Piece], fans: &Fans, at: Point, piece: usize, inside: bo
         let ccw = matches!(segment, Segment::Arc(a) if a.ccw);
         return (2 * piece as u32, inside != ccw);
     };
-    let fan = fans.at(vertex);
-    (fan[fan.len() - 1], inside)
+    (fans.last(pieces, vertex), inside)
 }
 
 /// Carries a side through the whole component.

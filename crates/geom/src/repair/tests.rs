@@ -282,3 +282,22 @@ fn an_arc_that_leaves_the_leftmost_corner_along_a_wall_does_not_turn_the_region_
     assert!(healed.region.contains(point(3.5, 2.5)) && !healed.region.contains(point(2.5, 4.5)));
     assert_eq!(healed.region.parents(), [None]);
 }
+
+#[test]
+fn a_wall_that_leans_left_by_a_rounding_error_does_not_turn_the_region_inside_out() {
+    let next =
+        |x: f64, steps: i32| (0..steps.abs()).fold(x, |x, _| if steps > 0 { x.next_up() } else { x.next_down() });
+    let b = (std::f64::consts::PI / 8.0).tan();
+    for corner in -3..=3 {
+        for far in -3..=3 {
+            for bulge in [b, b * (1.0 - 1e-7), b * (1.0 + 1e-7)] {
+                let (x0, x1) = (next(38.3, corner), next(38.3, far));
+                let bottom = [[46.6, 5.0, 0.0], [80.0, 5.0, 0.0]];
+                let rounded =
+                    [bottom[0], bottom[1], [80.0, 55.0, 0.0], [46.6, 55.0, bulge], [x0, 46.7, 0.0], [x1, 13.3, bulge]];
+                let healed = heal(vec![contour(&rounded)]);
+                assert!(healed.region.area() > 0.0, "{corner} {far} {bulge}");
+            }
+        }
+    }
+}
