@@ -12,16 +12,15 @@ const HALVINGS: u32 = 100;
 static RULE: LazyLock<[(f64, f64); POINTS]> = LazyLock::new(|| std::array::from_fn(node));
 
 /// The integral of `f` from `from` to `to`, halving until the rule on two halves agrees with the rule on the whole
-/// within `tolerance` times the integral of |f|; where noise forbids that, after a fixed number of halvings.
-pub fn integrate(from: f64, to: f64, tolerance: f64, f: impl Fn(f64) -> f64) -> f64 {
-    let (whole, size) = apply(from, to, &f);
+/// within `allowed`; where noise forbids that, after a fixed number of halvings.
+pub fn integrate(from: f64, to: f64, allowed: f64, f: impl Fn(f64) -> f64) -> f64 {
     let mut left = HALVINGS;
-    halve([from, to], whole, tolerance * size, &mut left, &f)
+    halve([from, to], apply(from, to, &f), allowed, &mut left, &f)
 }
 
 fn halve([from, to]: [f64; 2], whole: f64, allowed: f64, left: &mut u32, f: &impl Fn(f64) -> f64) -> f64 {
     let middle = 0.5 * (from + to);
-    let (low, high) = (apply(from, middle, f).0, apply(middle, to, f).0);
+    let (low, high) = (apply(from, middle, f), apply(middle, to, f));
     if *left == 0 || (low + high - whole).abs() <= allowed {
         return low + high;
     }
@@ -29,14 +28,10 @@ fn halve([from, to]: [f64; 2], whole: f64, allowed: f64, left: &mut u32, f: &imp
     halve([from, middle], low, allowed, left, f) + halve([middle, to], high, allowed, left, f)
 }
 
-/// The rule on one interval: the integrals of f and of |f|.
-fn apply(from: f64, to: f64, f: &impl Fn(f64) -> f64) -> (f64, f64) {
+/// The rule on one interval.
+fn apply(from: f64, to: f64, f: &impl Fn(f64) -> f64) -> f64 {
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-    let (sum, size) = RULE.iter().fold((0.0, 0.0), |(sum, size), &(x, w)| {
-        let value = w * f(middle + half * x);
-        (sum + value, size + value.abs())
-    });
-    (half * sum, half.abs() * size)
+    half * RULE.iter().map(|&(x, w)| w * f(middle + half * x)).sum::<f64>()
 }
 
 /// Node `k` and its weight: a root of the Legendre polynomial by Newton's method from the usual cosine guess.
@@ -62,13 +57,13 @@ mod tests {
 
     #[test]
     fn polynomials_of_degree_19_are_exact() {
-        let value = integrate(-1.0, 2.0, 1e-15, |x| 20.0 * x.powi(19));
+        let value = integrate(-1.0, 2.0, 1e-9, |x| 20.0 * x.powi(19));
         assert!((value - (2f64.powi(20) - 1.0)).abs() < 1e-8);
     }
 
     #[test]
     fn a_near_pole_is_met_by_halving() {
-        let value = integrate(0.0, 1.0, 1e-14, |x| 1.0 / (x + 1e-4));
+        let value = integrate(0.0, 1.0, 1e-13, |x| 1.0 / (x + 1e-4));
         assert!((value - (10001f64).ln()).abs() < 1e-11);
     }
 }

@@ -47,8 +47,9 @@ pub const FLAT_NORMAL: f64 = 1e-6;
 /// polyline bulges and of rotated coordinates cost, and a tenth of the narrowest gap that drawings are known to mean.
 pub const TOUCH: f64 = 1e-11;
 
-/// Arcs lie on one circle where centre and radius agree to this; they then share both exactly. *Relative.*
-pub const SAME_CIRCLE: f64 = 1e-9;
+/// Arcs lie on one circle where centre and radius agree to this; they then share both exactly. *Relative*, and of the
+/// order of rounding: their ends stay, and must lie on the circle as exactly as the skeleton computes.
+pub const SAME_CIRCLE: f64 = 1e-13;
 
 /// Two contours that nowhere lie farther apart than this are one curve drawn twice, and a sliver no wider than this
 /// between two curves that cross is what rounding made of a tangency. *Relative*, and never above the join tolerance:
@@ -98,7 +99,7 @@ pub const CHECK_SMOOTH_TURN: f64 = 2e-5;
 /// undefined: its direction is rounding.
 pub const CHECK_FLOATING: f64 = 1e-14;
 
-/// Relative error of numerical integration: a thousandth of what the cells' areas are held to.
+/// Error of the integrated heights of cells, *relative*: a thousandth of what the cells' areas are held to.
 pub const QUADRATURE: f64 = 1e-12;
 
 /// Offset segments shorter than this are dropped and their ends merged, *relative*: some thousand times the rounding

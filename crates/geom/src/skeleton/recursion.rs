@@ -107,7 +107,8 @@ impl Draft {
     }
 
     fn add_vertex(&mut self, disk: Disk) -> VertexId {
-        self.vertices.push(Vertex { point: disk.center, clearance: disk.radius });
+        // where islands touch, rounding may leave a vertex a unit behind the wall
+        self.vertices.push(Vertex { point: disk.center, clearance: disk.radius.max(0.0) });
         self.vertices.len() as VertexId - 1
     }
 

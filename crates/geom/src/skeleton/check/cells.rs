@@ -14,6 +14,12 @@ use crate::quadrature;
 use crate::skeleton::{EdgeId, SiteId};
 use crate::tolerance;
 
+/// The feet of an edge run unevenly if that of its chord's middle is nearer to an end of their way by this share of it.
+const UNEVEN: f64 = 0.4;
+
+/// How often the way to either end of an uneven edge is halved: down to the rounding of coordinates.
+const HALVINGS: i32 = 50;
+
 impl Judge<'_> {
     pub(super) fn check_cells(&mut self) {
         let mut total = 0.0;
@@ -80,13 +86,44 @@ impl Judge<'_> {
             _ => {}
         }
         let slack = self.options.clearance * self.size();
-        quadrature::integrate(from, to, tolerance::QUADRATURE, |p| {
+        let height = |p: f64| {
             let foot = element.at(p);
             let h = if straight { chord_height(&foot, ends) } else { across.tangent_radius(&foot) };
             // Clearance is monotone along the edge: outside these bounds it is rounding, or a fault reported elsewhere.
-            let bounded = h.clamp(u.min(v) - slack, u.max(v) + slack);
-            density(element, if h.is_nan() { 0.5 * (u + v) } else { bounded })
-        })
+            if h.is_nan() { 0.5 * (u + v) } else { h.clamp(u.min(v) - slack, u.max(v) + slack) }
+        };
+        let travel = element.length_of(to - from, u.max(v));
+        let allowed = tolerance::QUADRATURE * self.size() * travel;
+        let stops = if travel <= self.options.tight * self.size() {
+            vec![from, to]
+        } else {
+            self.stops(e, straight, [from, to])
+        };
+        let piece = |w: &[f64]| quadrature::integrate(w[0], w[1], allowed, |p| density(element, height(p)));
+        stops.windows(2).map(piece).sum()
+    }
+
+    /// Where to cut the way of the feet below an edge, its ends included. An edge that ends almost in the site's centre
+    /// of curvature sweeps nearly all of its feet there and leaves a spike for the rest, which a quadrature that starts
+    /// from the whole would not see: such a way is cut at the feet of points of the edge, ever nearer to its ends.
+    fn stops(&self, e: EdgeId, straight: bool, [from, to]: [f64; 2]) -> Vec<f64> {
+        let element = &self.elements[self.skeleton.site(e) as usize];
+        let share = |t: f64| {
+            let x = if straight { self.chord_sample(e, t).x } else { self.pencil_sample(Skeleton::twin(e), 1.0 - t).x };
+            ((element.foot(x) - from) / (to - from)).clamp(0.0, 1.0)
+        };
+        let mut shares = vec![0.0];
+        if (share(0.5) - 0.5).abs() > UNEVEN {
+            let near_start = (1..=HALVINGS).rev().map(|k| 0.5_f64.powi(k));
+            let near_end = (2..=HALVINGS).map(|k| 1.0 - 0.5_f64.powi(k));
+            for s in near_start.chain(near_end).map(share) {
+                if s > shares[shares.len() - 1] {
+                    shares.push(s);
+                }
+            }
+        }
+        shares.push(1.0);
+        shares.into_iter().map(|s| from + (to - from) * s).collect()
     }
 }
 

@@ -8,8 +8,8 @@ use crate::skeleton::EdgeId;
 
 /// A candidate for a point of an edge.
 #[derive(Clone, Copy)]
-struct Sample {
-    x: Point,
+pub(super) struct Sample {
+    pub(super) x: Point,
     r: f64,
     /// How far the distances to the two sites lie from r.
     mismatch: f64,
@@ -93,7 +93,7 @@ impl Judge<'_> {
     }
 
     /// The disk that touches the site right of `e` at fraction `t` of the feet's way, and the site left of it.
-    fn pencil_sample(&self, e: EdgeId, t: f64) -> Sample {
+    pub(super) fn pencil_sample(&self, e: EdgeId, t: f64) -> Sample {
         let s = self.skeleton;
         let from = self.foot(e, End::Origin);
         let to = self.foot(e, End::Target);
@@ -102,7 +102,7 @@ impl Judge<'_> {
         self.measured(e, foot.anchor + (foot.offset + foot.normal * r), r)
     }
 
-    fn chord_sample(&self, e: EdgeId, t: f64) -> Sample {
+    pub(super) fn chord_sample(&self, e: EdgeId, t: f64) -> Sample {
         let x = self.origin_point(e).lerp(self.target_point(e), t);
         let r = self.elements[self.skeleton.site(e) as usize].distance(x);
         self.measured(e, x, r)
