@@ -69,6 +69,38 @@ fn holds_for_all_copies(loops: &Loops) -> Result<(), String> {
     Ok(())
 }
 
+/// Drawn with six decimals, so that arcs meet the lines beside them, and one another, all but smoothly.
+#[test]
+fn joints_that_rounding_has_bent() {
+    let bent = 0.414_954_191;
+    let chevron: Loops = vec![vec![
+        [22.7875, 86.5875, -bent],
+        [27.2125, 86.5875, 0.0],
+        [50.0, 63.79375, 0.0],
+        [72.7875, 86.5875, -0.999_999_985],
+        [77.2125, 82.1625, 0.0],
+        [52.2125, 57.1625, -bent],
+        [47.7875, 57.1625, 0.0],
+        [22.7875, 82.1625, -bent],
+    ]];
+    let ring: Loops = vec![
+        vec![[50.0, 93.75, 1.0], [50.0, 43.75, 1.0]],
+        vec![
+            [18.75, 68.75, -0.650_214_682],
+            [70.963_283, 91.925_096, -0.650_214_682],
+            [53.125, 37.656_25, 0.0],
+            [53.125, 25.0, 0.0],
+            [46.875, 25.0, 0.0],
+            [46.875, 37.656_25, -0.385_173_995],
+        ],
+    ];
+    for loops in [chevron, ring] {
+        if let Err(fault) = skeleton(&loops) {
+            panic!("{fault}: {loops:?}");
+        }
+    }
+}
+
 #[test]
 fn fixed_shapes() {
     let shapes: [(&str, Loops); 6] = [

@@ -42,7 +42,8 @@ fn snap_one(arc: &mut Arc, cells: &mut HashMap<[i64; 3], Circle>, tolerance: f64
     let cell = numbers.map(|c| (c / (2.0 * tolerance)).floor());
     let step = [0, 1, 2].map(|k| if numbers[k] / (2.0 * tolerance) - cell[k] < 0.5 { -1 } else { 1 });
     for corner in 0..8_i64 {
-        let key = [0, 1, 2].map(|k| cell[k] as i64 + step[k] * ((corner >> k) & 1));
+        // Saturating: the centre of an arc that is all but straight may lie beyond what the cells count.
+        let key = [0, 1, 2].map(|k| (cell[k] as i64).saturating_add(step[k] * ((corner >> k) & 1)));
         if let Some(c) = cells.get(&key)
             && c.center.distance(arc.center) <= tolerance
             && (c.radius - arc.radius).abs() <= tolerance

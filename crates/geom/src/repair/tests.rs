@@ -301,3 +301,12 @@ fn a_wall_that_leans_left_by_a_rounding_error_does_not_turn_the_region_inside_ou
         }
     }
 }
+
+/// Once an overflow: the centre of a nearly straight arc lay in a cell whose number has no neighbour above.
+#[test]
+fn an_arc_whose_centre_is_beyond_all_counting_is_a_flat_wall() {
+    for bulge in [1e-8, -1e-8, 3e-9] {
+        let loops = vec![contour(&[[0.0, 0.0, bulge], [900.0, 0.0, 0.0], [900.0, 900.0, 0.0], [0.0, 900.0, 0.0]])];
+        assert!((heal(loops).region.area() - 810_000.0).abs() < 0.01);
+    }
+}
