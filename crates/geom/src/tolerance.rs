@@ -171,7 +171,7 @@ pub mod proof {
     pub const SAME_HEIGHT: f64 = 1e-6;
 
     /// Two curves that turn back on one another within this angle make a cusp, where the sign of the turn tells nothing.
-    pub const CUSP: f64 = 1e-6;
+    pub const CUSP: f64 = 1e-5;
 }
 
 /// How far the start and end radii of a planned arc may differ, mm: a tenth of what control units check, so that
@@ -203,6 +203,9 @@ pub mod skeleton {
     pub const EXACT: f64 = 1e-15;
     /// Residual up to which a closed-form vertex is believed; above it the bracketed search takes over.
     pub const RESIDUAL: f64 = 3e-13;
+    /// The same for a vertex that the search has found, and how deep an element may reach into its disk; above it the
+    /// construction starts again from elsewhere.
+    pub const SOUND: f64 = 1e-10;
     /// How far outside its element's extent the foot of a vertex may fall: feet are the worst-conditioned
     /// numbers (an error of the clearance by `e` moves a foot by `sqrt(e)` at nearly tangent contacts).
     pub const FOOT: f64 = 1e-9;
@@ -216,7 +219,7 @@ pub mod skeleton {
     /// cells, whose directions it mixes up, miss by no more than half of it.
     pub const SMOOTH: f64 = 1e-9;
     /// Turn from a cusp of angle 0 or 2π, radians, below which curvature and not direction tells which it is.
-    pub const CUSP: f64 = 1e-6;
+    pub const CUSP: f64 = 1e-5;
     /// Two disks nearer to one another than this are one vertex of higher degree, verified already.
     pub const SAME_DISK: f64 = 1e-14;
     /// Where the growth of a disk from a contact starts, and where it is given up: nothing is larger than the frame.

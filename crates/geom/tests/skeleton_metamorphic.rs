@@ -101,6 +101,41 @@ fn joints_that_rounding_has_bent() {
     }
 }
 
+/// Once wrong: a cusp judged by directions that rounding had crossed, an apex between circles with all but one centre, a
+/// search that began at an unlucky corner, and feet compared across the gap of a wide arc.
+#[test]
+fn cusps_lenses_and_wide_arcs() {
+    let heart: Loops = vec![vec![
+        [-490.341_87, 346.555_761, -0.668_178_637_919_299_1],
+        [-489.196_441, 346.057_645, 0.0],
+        [-489.246_641, 343.190_141, -0.668_178_637_919_298_9],
+        [-490.408_802, 342.732_422, 0.0],
+        [-494.165_209, 346.622_694, -0.668_178_637_919_298_9],
+        [-493.667_093, 347.768_122, 0.0],
+        [-490.799_588, 347.717_923, -0.668_178_637_919_299_1],
+    ]];
+    let lens: Loops = vec![vec![[-415.0, -458.0, 0.999_999_998_75], [-367.0, -496.0, 0.999_999_998_75]]];
+    let spiral: Loops = vec![vec![
+        [-320.520_86, 402.788_331, 1.0],
+        [-354.118_463, 448.267_92, 1.0],
+        [-317.936_429, 399.289_901, 1.0],
+        [-319.473_804, 401.370_977, -1.0],
+        [-352.581_089, 446.186_844, -1.0],
+        [-322.058_235, 404.869_407, 0.0],
+    ]];
+    let slot: Loops = vec![vec![
+        [-187.0, 48.0, -2.730_072_27],
+        [-139.0, 38.0, 0.0],
+        [-144.0, 48.0, 2.730_072_27],
+        [-177.0, 55.0, 0.0],
+    ]];
+    for loops in [heart, lens, spiral, slot] {
+        if let Err(fault) = skeleton(&loops) {
+            panic!("{fault}: {loops:?}");
+        }
+    }
+}
+
 #[test]
 fn fixed_shapes() {
     let shapes: [(&str, Loops); 6] = [

@@ -217,7 +217,9 @@ fn apexes(a: &Element, b: &Element, v0: Vertex, v1: Vertex) -> [Option<Vertex>; 
     }
     let feet = opposite_feet(a, b);
     for (foot, n) in feet.into_iter().flatten() {
-        let radius = b.pencil_radius(foot, n);
+        // half the gap between the two contacts: well conditioned even where the centres all but coincide
+        let opposite = if b.is_line() { b.start } else { b.foot_with_normal(-n) };
+        let radius = 0.5 * (opposite - foot).dot(n);
         let point = foot + n * radius;
         let extreme = radius < v0.clearance.min(v1.clearance) - tol::LEVEL
             || radius > v0.clearance.max(v1.clearance) + tol::LEVEL;

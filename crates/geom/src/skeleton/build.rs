@@ -4,11 +4,14 @@ use super::assemble::{Component, assemble};
 use super::cycle::{Cycle, Junction, Rings};
 use super::element::Element;
 use super::joints::{Joint, classify};
-use super::recursion;
+use super::recursion::{self, Draft};
 use super::topology::{NONE, Site, SiteShape, Skeleton, Vertex};
 use crate::point::{Point, Vec2};
 use crate::region::{Pocket, Region};
 use crate::segment::{Arc, Line, Segment};
+
+/// Constructions tried where vertices stay doubtful.
+const ATTEMPTS: usize = 8;
 
 /// Why a skeleton can't be built.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -70,8 +73,7 @@ impl Skeleton {
             boundary.add_ring(c, &region.contours()[c as usize].segments);
         }
         let corners: Vec<Point> = boundary.corners.iter().map(|&p| frame.enter(p)).collect();
-        let cycle = Cycle::new(&boundary.rings);
-        let draft = recursion::run(&cycle, &corners);
+        let (cycle, draft) = least_doubtful(&boundary.rings, &corners);
         let component = assemble(&cycle, draft, &boundary.rings.elements, &boundary.convex);
         self.append(&component, boundary);
     }
@@ -94,6 +96,26 @@ impl Skeleton {
         let firsts = component.first.iter();
         self.sites.extend(boundary.sites.into_iter().zip(firsts).map(|(s, &e)| Site { first: shifted(e), ..s }));
     }
+}
+
+/// The first draft without doubts, of cycles that begin elsewhere and have other bridges; else the one with the fewest.
+fn least_doubtful(rings: &Rings, corners: &[Point]) -> (Cycle, Draft) {
+    let attempt = |number: usize| {
+        let cycle = Cycle::new(rings, number);
+        let draft = recursion::run(&cycle, corners);
+        (cycle, draft)
+    };
+    let mut best = attempt(0);
+    for number in 1..ATTEMPTS {
+        if best.1.doubts == 0 {
+            break;
+        }
+        let other = attempt(number);
+        if other.1.doubts < best.1.doubts {
+            best = other;
+        }
+    }
+    best
 }
 
 /// Sites and boundary vertices of one pocket, collected contour by contour.

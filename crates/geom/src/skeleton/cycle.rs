@@ -46,8 +46,8 @@ pub(super) struct Cycle {
     pub(super) crossings: Vec<(u32, u32)>,
 }
 
-/// The direction of bridges: of length 1 exactly, and askew to what people draw.
-const OUT: Vec2 = vec2(-0.936, -0.352);
+/// Directions of bridges, one an attempt: of length 1 exactly, and askew to what people draw.
+const OUT: [Vec2; 4] = [vec2(-0.936, -0.352), vec2(0.8432, -0.5376), vec2(0.28, 0.96), vec2(-0.352, 0.936)];
 
 /// A foot on an element with the inner normal there.
 type Foot = (Point, Vec2);
@@ -62,14 +62,14 @@ struct Cut {
 }
 
 impl Cycle {
-    /// The cycle of an outer ring and its islands.
-    pub(super) fn new(rings: &Rings) -> Self {
+    /// The cycle of an outer ring and its islands. Each `attempt` begins at another corner and bridges another way.
+    pub(super) fn new(rings: &Rings, attempt: usize) -> Self {
+        let first = rings.clear_corner(attempt);
         if rings.starts.len() != 2 {
-            let mut cycle = Bridging::new(rings).into_cycle();
+            let mut cycle = Bridging::new(rings, first as u32, OUT[attempt % OUT.len()]).into_cycle();
             cycle.note_crossings();
             return cycle;
         }
-        let first = rings.clear_corner();
         Self { elements: turned(&rings.elements, first), junctions: turned(&rings.junctions, first), ..Self::default() }
     }
 
@@ -110,14 +110,19 @@ impl Cycle {
 
 impl Rings {
     /// The element of the outer ring at which the cycle starts: the recursion's root is best conditioned at a corner
-    /// near 90°.
-    fn clear_corner(&self) -> usize {
+    /// near 90°. Later attempts take the next best ones.
+    fn clear_corner(&self, attempt: usize) -> usize {
         let end = self.starts[1] as usize;
         let quality = |k: usize| match self.junctions[k] {
             Junction::Convex(_) => 1.0 + self.elements[(k + end - 1) % end].n1.cross(self.elements[k].n0),
             Junction::Spoke(..) | Junction::Bridge(_) => 0.0,
         };
-        (0..end).max_by(|&i, &j| quality(i).total_cmp(&quality(j))).unwrap_or(0)
+        if attempt == 0 {
+            return (0..end).max_by(|&i, &j| quality(i).total_cmp(&quality(j))).unwrap_or(0);
+        }
+        let mut order: Vec<usize> = (0..end).collect();
+        order.sort_by(|&i, &j| quality(j).total_cmp(&quality(i)).then(j.cmp(&i)));
+        order[attempt % end]
     }
 }
 
@@ -129,6 +134,10 @@ fn turned<T: Copy>(items: &[T], first: usize) -> Vec<T> {
 /// The rings of a pocket and the cuts between them.
 struct Bridging<'a> {
     rings: &'a Rings,
+    /// The element at which the outer ring's tour starts.
+    corner: u32,
+    /// The direction in which islands reach out.
+    out: Vec2,
     /// Per island: where its tour starts.
     doors: Vec<Cut>,
     /// Cuts by other islands, sorted by element and along it.
@@ -137,9 +146,9 @@ struct Bridging<'a> {
 }
 
 impl<'a> Bridging<'a> {
-    fn new(rings: &'a Rings) -> Self {
+    fn new(rings: &'a Rings, corner: u32, out: Vec2) -> Self {
         let heap = BoxHeap::new(&rings.elements);
-        let mut this = Self { rings, doors: Vec::new(), cuts: Vec::new(), disks: Vec::new() };
+        let mut this = Self { rings, corner, out, doors: Vec::new(), cuts: Vec::new(), disks: Vec::new() };
         for island in 0..rings.starts.len() as u32 - 2 {
             this.bridge(&heap, island);
         }
@@ -192,17 +201,18 @@ impl<'a> Bridging<'a> {
     /// The outermost point of a ring, on the element that owns the normal there.
     fn outermost(&self, ring: std::ops::Range<u32>) -> (u32, Foot) {
         let start = self.rings.elements[ring.start as usize].start;
-        let (mut best, mut reach) = ((ring.start, (start, OUT)), f64::NEG_INFINITY);
+        let out = self.out;
+        let (mut best, mut reach) = ((ring.start, (start, out)), f64::NEG_INFINITY);
         for k in ring {
             let e = &self.rings.elements[k as usize];
             let mut offer = |foot: Foot, bonus: f64| {
-                let out = foot.0.to_vec().dot(OUT) + bonus;
-                if out > reach {
-                    (best, reach) = ((k, foot), out);
+                let far = foot.0.to_vec().dot(out) + bonus;
+                if far > reach {
+                    (best, reach) = ((k, foot), far);
                 }
             };
             match e.carrier {
-                Carrier::Outside if e.covers(OUT) => offer((e.foot_with_normal(OUT), OUT), tol::EMPTY),
+                Carrier::Outside if e.covers(out) => offer((e.foot_with_normal(out), out), tol::EMPTY),
                 _ => {
                     offer((e.start, e.n0), 0.0);
                     offer((e.end, e.n1), 0.0);
@@ -254,8 +264,7 @@ impl<'a> Bridging<'a> {
     fn tour(&self, ring: u32) -> Vec<Step> {
         let (first, end) = (self.rings.starts[ring as usize], self.rings.starts[ring as usize + 1]);
         let Some(door) = ring.checked_sub(1).map(|island| &self.doors[island as usize]) else {
-            let corner = self.rings.clear_corner() as u32;
-            return (corner..end).chain(first..corner).flat_map(|k| self.pieces(k, None, None)).collect();
+            return (self.corner..end).chain(first..self.corner).flat_map(|k| self.pieces(k, None, None)).collect();
         };
         let mut steps = self.pieces(door.element, Some(door), None);
         let rest = (door.element + 1..end).chain(first..door.element);

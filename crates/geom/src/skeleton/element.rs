@@ -263,6 +263,15 @@ impl Element {
         turn(self.carrier, self.n0, n)
     }
 
+    /// The turn from the normal in the middle of a wide extent to the normal `n`, in the direction of travel, in (-π, π].
+    pub(super) fn turn_from_middle(&self, n: Vec2) -> f64 {
+        let chord = (self.n1 - self.n0).right();
+        let ahead = if self.carrier == Carrier::Outside { -chord } else { chord };
+        let middle = if self.n0.dot(self.n1) > 0.0 { -(self.n0 + self.n1) } else { ahead };
+        let turn = middle.angle_to(n);
+        if self.carrier == Carrier::Outside { -turn } else { turn }
+    }
+
     /// The same curve seen from its other side.
     pub(super) fn flipped(&self) -> Self {
         let carrier = match self.carrier {

@@ -16,6 +16,8 @@
 //! 5. **Third contact** (`search`). Guess a neighbour, compute the disk in closed form (`vertex`), ask for the nearest
 //!    element in the range (`boxes`), repeat with what was hit. Where no closed form can be vouched for, a walk along the
 //!    pencil, sampled and bisected, always answers.
+//!    What it finds is looked at from the whole boundary; where that leaves doubts, steps 3 to 5 begin again from
+//!    another corner and with other bridges, and the draft with the fewest doubts goes on.
 //! 6. **Assembly** (`assemble`). Edges cut by bridges are joined again, edges are split at apexes so that clearance is
 //!    monotone along each, cells are closed.
 //!

@@ -21,6 +21,8 @@ pub(super) struct Draft {
     pub(super) first: Vec<EdgeId>,
     /// Per element: the half-edge that arrives where it ends.
     pub(super) last: Vec<EdgeId>,
+    /// Vertices that nothing vouches for.
+    pub(super) doubts: u32,
 }
 
 /// A dual edge: the elements between `a` and `b` are still to be connected.
@@ -81,7 +83,8 @@ pub(super) fn run(cycle: &Cycle, corners: &[Point]) -> Draft {
             draft.last[a as usize] = out;
             continue;
         }
-        let (c, disk) = search::third_contact(&scene, (a, b), parent);
+        let search::Contact { element: c, disk, vouched } = search::third_contact(&scene, (a, b), parent);
+        draft.doubts += u32::from(!vouched);
         let vertex = draft.add_vertex(disk);
         draft.half_edges[out as usize ^ 1].origin = vertex;
         let (left, right) = (draft.add_edge(vertex, a, c), draft.add_edge(vertex, c, b));
@@ -103,6 +106,7 @@ impl Draft {
             half_edges: Vec::with_capacity(4 * elements),
             first: vec![NONE; elements],
             last: vec![NONE; elements],
+            doubts: 0,
         }
     }
 

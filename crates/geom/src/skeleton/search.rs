@@ -7,9 +7,23 @@ use super::vertex;
 use crate::point::{Point, Vec2};
 use crate::tolerance::skeleton as tol;
 
-/// The element between `a` and `b` that ends the skeleton edge between their cells, and the disk that touches all three.
-pub(super) fn third_contact(scene: &Scene, (a, b): (u32, u32), parent: Disk) -> (u32, Disk) {
-    guess_and_verify(scene, (a, b), parent).unwrap_or_else(|| bracketed(scene, (a, b), parent))
+/// What ends the skeleton edge between two cells.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Contact {
+    /// The third element.
+    pub(super) element: u32,
+    /// The disk that touches all three.
+    pub(super) disk: Disk,
+    /// Whether a closed form or, where it was searched for, a look at the whole boundary vouches for it.
+    pub(super) vouched: bool,
+}
+
+/// The element between `a` and `b` that ends the skeleton edge between their cells.
+pub(super) fn third_contact(scene: &Scene, (a, b): (u32, u32), parent: Disk) -> Contact {
+    match guess_and_verify(scene, (a, b), parent) {
+        Some((element, disk)) => Contact { element, disk, vouched: true },
+        None => bracketed(scene, (a, b), parent),
+    }
 }
 
 /// Start from a neighbour of `a` or `b`; each verification that finds a nearer element makes it the next guess.
@@ -164,8 +178,12 @@ pub(super) fn advance(e: &Element, from: Point, to: Point) -> f64 {
         return (to - from).dot(e.along());
     }
     let (n0, n1) = (e.normal_at(from), e.normal_at(to));
-    let turn = if e.carrier == Carrier::Outside { n1.cross(n0) } else { n0.cross(n1) };
     let scale = if e.rho == 0.0 { (to - e.center).length() } else { e.rho.abs() };
+    if e.wide {
+        // the shorter way between two feet may lead through the gap
+        return scale * (e.turn_from_middle(n1) - e.turn_from_middle(n0));
+    }
+    let turn = if e.carrier == Carrier::Outside { n1.cross(n0) } else { n0.cross(n1) };
     // beyond a quarter turn the sine falls again
     scale * if n0.dot(n1) >= 0.0 { turn } else { (2.0 - turn.abs()).copysign(turn) }
 }
@@ -241,7 +259,7 @@ fn signed_turn(e: &Element, from: Vec2, to: Vec2, forward: bool) -> f64 {
 
 /// The search that always answers: walk the foot along `a` (or, where that has no room, back along `b`, or the radius
 /// along their common spoke) and bisect on whatever the disk hits.
-fn bracketed(scene: &Scene, (a, b): (u32, u32), parent: Disk) -> (u32, Disk) {
+fn bracketed(scene: &Scene, (a, b): (u32, u32), parent: Disk) -> Contact {
     let (ea, eb) = (&scene.cycle.elements[a as usize], &scene.cycle.elements[b as usize]);
     let spoke = match scene.cycle.junctions[0] {
         Junction::Spoke(_, normal) if a == 0 && b + 1 == scene.len() => Some((ea.start, normal)),
@@ -264,10 +282,23 @@ fn bracketed(scene: &Scene, (a, b): (u32, u32), parent: Disk) -> (u32, Disk) {
 }
 
 /// Nowhere to go: the vertex coincides with the parent's, and the element nearest to its circle is the third.
-fn nearest_neighbor(scene: &Scene, (a, b): (u32, u32), parent: Disk) -> (u32, Disk) {
+fn nearest_neighbor(scene: &Scene, (a, b): (u32, u32), parent: Disk) -> Contact {
     let bound = f64::INFINITY;
     let hit = scene.heap.nearest(&scene.cycle.elements, (a + 1, b - 1), parent.center, bound);
-    (hit.map_or(a + 1, |(k, _)| k), parent)
+    let element = hit.map_or(a + 1, |(k, _)| k);
+    Contact { element, disk: parent, vouched: is_sound(scene, (a, element, b), parent) }
+}
+
+/// Whether a disk touches all three elements within their extents, in order, and nothing reaches into it.
+fn is_sound(scene: &Scene, (a, c, b): (u32, u32, u32), disk: Disk) -> bool {
+    let e = [a, c, b].map(|k| &scene.cycle.elements[k as usize]);
+    vertex::residual(e, disk) <= tol::SOUND
+        && e.iter().all(|e| e.faces(disk.center, tol::FOOT))
+        && contact_order(e, disk) >= -tol::FOOT
+        && scene
+            .heap
+            .nearest(&scene.cycle.elements, (0, scene.len() - 1), disk.center, disk.radius - tol::SOUND)
+            .is_none()
 }
 
 /// The first disk of a family, `t` from 0 to 1, that touches an element between `a` and `b`. A disk whose foot has left
@@ -279,7 +310,7 @@ fn first_hit(
     disk_at: impl Fn(f64) -> Disk,
     overrun: impl Fn(Disk) -> f64,
     (beyond, neighbor): (u32, u32),
-) -> (u32, Disk) {
+) -> Contact {
     let elements = &scene.cycle.elements;
     let hit_at = |t: f64| {
         let disk = disk_at(t);
@@ -299,11 +330,12 @@ fn first_hit(
         };
         high = first_touch(depth, low, high);
         found = Some(hit);
-        if let Some(answer) = verified(scene, (a, b), hit, disk_at(high), disk_at(0.0)) {
-            return answer;
+        if let Some((element, disk)) = verified(scene, (a, b), hit, disk_at(high), disk_at(0.0)) {
+            return Contact { element, disk, vouched: true };
         }
     }
-    owner(scene, (a, b), found.unwrap_or(beyond), disk_at(high))
+    let (element, disk) = owner(scene, (a, b), found.unwrap_or(beyond), disk_at(high));
+    Contact { element, disk, vouched: is_sound(scene, (a, element, b), disk) }
 }
 
 /// The first of some samples from 0 to 1 that is blocked (or the last) and the one before it. Behind a wall a disk may be
