@@ -132,6 +132,10 @@ pub const FIT_SLACK_SHARE: f64 = 1e-4;
 /// their disks but for slivers thinner than what may stay uncut.
 pub const SPUR_SHARE: f64 = 1e-3;
 
+/// Longest step along a clean-up path where clearance need not be convex, as a share of the tool's radius: between its ends
+/// what must be served bows out by less than 1e-4 of the radius, half of what the proof lets pass.
+pub const CLEANUP_STEP: f64 = 1.0 / 32.0;
+
 /// How far the end of a straight step towards a wall may miss the loop that it leads to, *relative*: what offsets may be
 /// off, ten times over.
 pub const LANDING: f64 = 1e-6;

@@ -205,7 +205,8 @@ impl EdgeCurve {
         x
     }
 
-    fn clearance(&self, x: Point) -> f64 {
+    /// Mean distance of a point to the edge's two sites (to the lines and circles that carry them): its clearance, on the edge.
+    pub fn clearance(&self, x: Point) -> f64 {
         self.right.distance(x).midpoint(self.left.distance(x))
     }
 
