@@ -114,6 +114,10 @@ pub const PLATEAU: f64 = 1e-11;
 /// (a spoke, or the bisector at a joint that is smooth but for rounding).
 pub const SPOKE_RATE: f64 = 1e-9;
 
+/// Along an edge whose clearance changes by no more than this, *relative*, clearance tells no places apart: rounding would
+/// misplace them by more than a thousandth of the edge.
+pub const FLAT_EDGE: f64 = 1e-9;
+
 /// Squared half sum or half difference of two unit gradients below which a Newton step along it says nothing.
 pub const GRADIENT: f64 = 1e-14;
 
