@@ -11,8 +11,11 @@ pub struct PocketJob {
     pub tool: Tool,
     /// Top of the material and depth of the pocket.
     pub stock: Stock,
-    /// Distance between successive loops; more than the tool's radius is clamped to it, with a warning.
+    /// Distance between successive loops; more than the tool's diameter (less a tolerance) is clamped, with a warning.
     pub stepover: f64,
+    /// Whether loops make detours to what stays uncut between them at stepovers above the tool's radius; without, a program
+    /// may not be provable.
+    pub cleanup: bool,
     /// Thickness of material left on the walls (the paper's border *q*).
     pub stock_to_leave: f64,
     /// Largest depth of one pass; all passes are made equal.
@@ -52,6 +55,7 @@ impl PocketJob {
             tool,
             stock: Stock { top: 0.0, depth: radius },
             stepover: Self::DEFAULT_STEPOVER * radius,
+            cleanup: true,
             stock_to_leave: 0.0,
             stepdown: radius,
             direction: Direction::default(),

@@ -10,4 +10,4 @@ mod link;
 pub mod plan;
 
 pub use job::{Entry, PocketJob};
-pub use plan::{EntryKind, Group, Link, LinkKind, Plan, PlanError, PlannedLoop, Warning, plan};
+pub use plan::{Cleanup, EntryKind, Group, Link, LinkKind, Plan, PlanError, PlannedLoop, Uncut, Warning, plan};

@@ -151,9 +151,12 @@ pub(crate) struct PocketArgs {
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Cutting")]
 pub(crate) struct CutArgs {
-    /// Distance between loops, mm or a percentage of the diameter; at most the radius [default: 45%].
+    /// Distance between loops, mm or a percentage of the diameter, up to all of it [default: 45%].
     #[arg(long, value_name = "MM|%")]
     pub(crate) stepover: Option<Stepover>,
+    /// No detours to what loops more than the radius apart leave uncut: such programs are refused.
+    #[arg(long)]
+    pub(crate) no_cleanup: bool,
     /// Material to leave on the walls, mm.
     #[arg(long, value_name = "MM", default_value = "0", value_parser = not_negative)]
     pub(crate) stock_to_leave: f64,

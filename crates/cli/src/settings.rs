@@ -37,6 +37,7 @@ impl Settings {
             tool: Tool { diameter, number: self.machine.tool_number },
             stock: Stock { top: self.cut.top, depth: self.cut.depth.unwrap_or(stepdown) },
             stepover: self.stepover(diameter, file_interval).unwrap_or(usual.stepover),
+            cleanup: !self.cut.no_cleanup,
             stock_to_leave: self.cut.stock_to_leave,
             stepdown,
             direction: if self.cut.conventional { Direction::Conventional } else { Direction::Climb },

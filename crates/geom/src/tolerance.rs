@@ -114,6 +114,10 @@ pub const PLATEAU: f64 = 1e-11;
 /// (a spoke, or the bisector at a joint that is smooth but for rounding).
 pub const SPOKE_RATE: f64 = 1e-9;
 
+/// Along an edge whose clearance changes by no more than this, *relative*, clearance tells no places apart: rounding would
+/// misplace them by more than a thousandth of the edge.
+pub const FLAT_EDGE: f64 = 1e-9;
+
 /// Squared half sum or half difference of two unit gradients below which a Newton step along it says nothing.
 pub const GRADIENT: f64 = 1e-14;
 
@@ -131,6 +135,10 @@ pub const FIT_SLACK_SHARE: f64 = 1e-4;
 /// Ends of degenerate paths shorter than this share of the offset distance are left out: the disk at their root covers
 /// their disks but for slivers thinner than what may stay uncut.
 pub const SPUR_SHARE: f64 = 1e-3;
+
+/// Longest step along a clean-up path where clearance need not be convex, as a share of the tool's radius: between its ends
+/// what must be served bows out by less than 1e-4 of the radius, half of what the proof lets pass.
+pub const CLEANUP_STEP: f64 = 1.0 / 32.0;
 
 /// How far the end of a straight step towards a wall may miss the loop that it leads to, *relative*: what offsets may be
 /// off, ten times over.

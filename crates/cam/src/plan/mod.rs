@@ -14,6 +14,7 @@
 //! one. Where `c` lies on no area's closure it is on a degenerate path (a channel just as wide as the tool), which is
 //! toured too. Passes and peaks between the levels need nothing more.
 
+mod cleanup;
 mod levels;
 mod moves;
 mod order;
@@ -30,6 +31,7 @@ use pocketry_geom::skeleton::trees::Trees;
 
 pub(crate) use track::{Cut, Landing, Track};
 
+pub use cleanup::{Cleanup, Uncut};
 pub use report::{EntryKind, Group, Link, LinkKind, Plan, PlanError, PlannedLoop, Warning};
 
 /// More loops or passes than this are a slip of the finger.
@@ -58,13 +60,16 @@ pub fn plan(region: &Region, skeleton: &Skeleton, job: &PocketJob) -> Result<Pla
         return Err(PlanError::Job { what: "stepdown", value: job.stepdown });
     }
     let trees = Trees::new(skeleton);
-    let levels = Levels::new(skeleton, &distances(first, stepover, highest))?;
+    let distances = distances(first, stepover, highest);
+    let mut levels = Levels::new(skeleton, &distances)?;
     if levels.tracks.is_empty() {
         return Err(PlanError::DoesNotFit {
             diameter: job.tool.diameter,
             largest: 2.0 * (highest - job.stock_to_leave),
         });
     }
+    let radius = job.tool.radius();
+    let cleanups = if job.cleanup { cleanup::add(skeleton, &mut levels, &distances, radius) } else { Vec::new() };
     let chains = Orderer::new(skeleton, &levels).chains();
     warnings.extend(report::unreached(skeleton, &trees, first, job.stock_to_leave));
     let mut plan = moves::write(&levels, &chains, job, first);
@@ -72,6 +77,7 @@ pub fn plan(region: &Region, skeleton: &Skeleton, job: &PocketJob) -> Result<Pla
     warnings.append(&mut plan.warnings);
     plan.warnings = warnings;
     plan.stepover = stepover;
+    plan.cleanups = cleanups;
     Ok(plan)
 }
 
@@ -83,9 +89,9 @@ fn distances(first: f64, stepover: f64, highest: f64) -> Vec<f64> {
 }
 
 fn clamped_stepover(job: &PocketJob, warnings: &mut Vec<Warning>) -> f64 {
-    let radius = job.tool.radius();
-    if job.stepover > radius {
-        warnings.push(Warning::StepoverClamped { asked: job.stepover, used: radius });
+    let most = 2.0 * cleanup::trusted(job.tool.radius());
+    if job.stepover > most {
+        warnings.push(Warning::StepoverClamped { asked: job.stepover, used: most });
     }
-    job.stepover.min(radius)
+    job.stepover.min(most)
 }

@@ -35,11 +35,11 @@ pub(super) struct Chain {
 pub(super) struct Orderer<'a> {
     skeleton: &'a Skeleton,
     levels: &'a Levels,
-    fans: Fans<'a>,
+    pub(super) fans: Fans<'a>,
     /// Every segment parallel to a site: `(level, site, track, segment)`, sorted.
     pieces: Vec<(usize, SiteId, u32, u32)>,
     /// Every place where a track crosses an edge: level and half-edge to track and segment.
-    crossings: HashMap<(usize, EdgeId), (u32, u32)>,
+    pub(super) crossings: HashMap<(usize, EdgeId), (u32, u32)>,
     /// How far a landing may miss a loop, mm.
     miss: f64,
     /// Nearer than this to an end of a segment, a landing is moved there, mm.
@@ -142,17 +142,28 @@ impl<'a> Orderer<'a> {
         self.fans.around(peak).find_map(|e| {
             let site = self.skeleton.site(e);
             let step = towards(self.skeleton.sites()[site as usize].shape, vertex.point);
-            self.landing(vertex.point + step * (vertex.clearance - track.distance), site, track.level, tracks)
+            self.landing(vertex.point + step * (vertex.clearance - track.distance), site, track.level, &|t| tracks.contains(&t))
         })
     }
 
-    /// The place on one of the `tracks`, in a segment parallel to `site`, that is `at` but for rounding.
-    fn landing(&self, at: Point, site: SiteId, level: usize, tracks: &BTreeSet<u32>) -> Option<Landing> {
+    /// Where a segment of a track starts.
+    pub(super) fn start_of(&self, track: u32, segment: u32) -> Point {
+        self.levels.tracks[track as usize].segments[segment as usize].start()
+    }
+
+    /// The place on one of the tracks that `admits` lets pass, in a segment parallel to `site`, that is `at` but for rounding.
+    pub(super) fn landing(
+        &self,
+        at: Point,
+        site: SiteId,
+        level: usize,
+        admits: &dyn Fn(u32) -> bool,
+    ) -> Option<Landing> {
         let from = self.pieces.partition_point(|p| (p.0, p.1) < (level, site));
         self.pieces[from..]
             .iter()
             .take_while(|p| (p.0, p.1) == (level, site))
-            .filter(|p| tracks.contains(&p.2))
+            .filter(|p| admits(p.2))
             .map(|&(_, _, track, segment)| {
                 let point = self.levels.tracks[track as usize].place(segment as usize, at, self.snap);
                 Landing { track, segment: segment as usize, point }
@@ -175,7 +186,7 @@ impl<'a> Orderer<'a> {
         let towards_wall: Vec2 = first.start_tangent().right();
         let at = start + towards_wall * (from.distance - to.distance);
         let site = self.site_at(last)?;
-        let landing = self.landing(at, site, to.level, left)?;
+        let landing = self.landing(at, site, to.level, &|t| left.contains(&t))?;
         Some(self.step(landing, vec![Segment::line(start, landing.point)], LinkKind::SideStep))
     }
 

@@ -1,5 +1,6 @@
 //! What a plan holds, and what can be said about it.
 
+use super::Cleanup;
 use pocketry_geom::offset::{OffsetError, degenerate_slack};
 use pocketry_geom::skeleton::Skeleton;
 use pocketry_geom::skeleton::trees::{Kind, Trees};
@@ -45,8 +46,8 @@ pub enum PlanError {
 /// What was done differently from what was asked, or cannot be done.
 #[derive(Clone, Debug, PartialEq, Serialize, thiserror::Error)]
 pub enum Warning {
-    /// The stepover was above the tool's radius, where sharp corners would stay uncut between loops.
-    #[error("stepover {asked} mm is above the tool's radius; {used} mm is used")]
+    /// The stepover was above the tool's diameter less the tolerance, where ridges would stay between loops.
+    #[error("stepover {asked} mm is above the tool's diameter; {used} mm is used")]
     StepoverClamped {
         /// mm.
         asked: f64,
@@ -90,6 +91,8 @@ pub struct Plan {
     pub control_vertices: usize,
     /// Depth passes.
     pub passes: usize,
+    /// Detours of the loops to places that would stay uncut between them.
+    pub cleanups: Vec<Cleanup>,
     /// Distance between loops that was used, mm.
     pub stepover: f64,
     /// What the machinist should know.

@@ -23,6 +23,16 @@ pub(crate) struct Track {
     pub(crate) degenerate: bool,
 }
 
+/// A tour from a point of a track and back to it.
+#[derive(Clone, Debug)]
+pub(crate) struct Insertion {
+    /// The segment on which it starts.
+    pub(crate) segment: usize,
+    /// Where; `None` for the segment's start.
+    pub(crate) at: Option<Point>,
+    pub(crate) tour: Vec<Segment>,
+}
+
 /// A place on a track where the tool enters it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Landing {
@@ -71,6 +81,43 @@ impl Track {
         None
     }
 
+    /// Inserts tours. Crossings stay with what follows them.
+    pub(crate) fn insert(&mut self, mut insertions: Vec<Insertion>) {
+        if insertions.is_empty() {
+            return;
+        }
+        let along = |i: &Insertion| i.at.map_or(0.0, |p| self.segments[i.segment].split_at(p).0.length());
+        for i in &mut insertions {
+            let s = &self.segments[i.segment];
+            if i.at == Some(s.end()) {
+                (i.segment, i.at) = ((i.segment + 1) % self.segments.len(), None);
+            }
+            i.at = i.at.filter(|&p| p != self.segments[i.segment].start());
+        }
+        insertions.sort_by(|a, b| a.segment.cmp(&b.segment).then(along(a).total_cmp(&along(b))));
+        let mut grown = Self { start: self.start, ..Self::default() };
+        let mut next = insertions.into_iter().peekable();
+        for k in 0..self.segments.len() {
+            let (mut rest, mut crossing) = (self.segments[k], self.crossings[k]);
+            while let Some(i) = next.next_if(|i| i.segment == k) {
+                if let Some(p) = i.at.filter(|&p| p != rest.start()) {
+                    let (before, after) = rest.split_at(p);
+                    grown.push(before, self.sites[k], std::mem::replace(&mut crossing, NONE));
+                    rest = after;
+                }
+                i.tour.iter().for_each(|s| grown.push(*s, NONE, NONE));
+            }
+            grown.push(rest, self.sites[k], crossing);
+        }
+        (self.segments, self.sites, self.crossings) = (grown.segments, grown.sites, grown.crossings);
+    }
+
+    fn push(&mut self, segment: Segment, site: SiteId, crossing: EdgeId) {
+        self.segments.push(segment);
+        self.sites.push(site);
+        self.crossings.push(crossing);
+    }
+
     /// The place on a segment nearest to `at`; the segment's own end where it lies within `snap` of it.
     pub(crate) fn place(&self, segment: usize, at: Point, snap: f64) -> Point {
         let s = &self.segments[segment];
@@ -89,8 +136,10 @@ impl Track {
         let mut segments: Vec<Segment> = order.clone().map(|i| self.segments[i]).collect();
         let mut crossings: Vec<EdgeId> = order.map(|i| self.crossings[i]).collect();
         if p == segments[0].end() {
-            segments.rotate_left(1);
-            crossings.rotate_left(1);
+            // Tours that start here come last: the first segment is parallel to a wall.
+            let tour = (1..self.sites.len()).take_while(|i| self.sites[(k + i) % self.sites.len()] == NONE).count();
+            segments.rotate_left(1 + tour);
+            crossings.rotate_left(1 + tour);
         } else if p != segments[0].start() {
             let (before, after) = segments[0].split_at(p);
             segments[0] = after;

@@ -9,7 +9,7 @@ use super::carrier::{Carrier, Parallel};
 use crate::point::{Point, Vec2};
 use crate::segment::{Arc, Segment};
 use crate::skeleton::{EdgeId, Skeleton, Vertex};
-use crate::tolerance::{CROSSING, GRADIENT, SPOKE_RATE};
+use crate::tolerance::{CROSSING, FLAT_EDGE, GRADIENT, SPOKE_RATE};
 
 /// Halvings of an edge that leave less than rounding.
 const BISECTIONS: usize = 60;
@@ -93,7 +93,12 @@ impl EdgeCurve {
             return vec![Segment::Arc(arc)];
         }
         let mut points = vec![start];
-        self.chords(from, to, tolerance, CHORD_DEPTH, &mut points);
+        if self.high.clearance - self.low.clearance <= FLAT_EDGE * self.scale() {
+            let ends = [start, end].map(|p| (self.share_of(p), p));
+            self.flat_chords(ends[0], ends[1], tolerance, CHORD_DEPTH, &mut points);
+        } else {
+            self.chords(from, to, tolerance, CHORD_DEPTH, &mut points);
+        }
         points.windows(2).filter(|w| w[0] != w[1]).map(|w| Segment::line(w[0], w[1])).collect()
     }
 
@@ -130,6 +135,25 @@ impl EdgeCurve {
             self.chords(a, (clearance, middle), tolerance, depth - 1, out);
             self.chords((clearance, middle), b, tolerance, depth - 1, out);
         }
+    }
+
+    /// The same where clearance is too nearly constant to tell points apart: halved by their place along the chord.
+    fn flat_chords(&self, a: (f64, Point), b: (f64, Point), tolerance: f64, depth: usize, out: &mut Vec<Point>) {
+        let share = a.0.midpoint(b.0);
+        let middle = self.on_bisector(share);
+        let off = Segment::line(a.1, b.1).distance(middle);
+        if depth == 0 || off <= 0.5 * tolerance || !middle.is_finite() {
+            out.push(b.1);
+        } else {
+            self.flat_chords(a, (share, middle), tolerance, depth - 1, out);
+            self.flat_chords((share, middle), b, tolerance, depth - 1, out);
+        }
+    }
+
+    /// Where along the chord from the lower to the upper vertex a point lies, as a share of it.
+    fn share_of(&self, p: Point) -> f64 {
+        let chord = self.high.point - self.low.point;
+        ((p - self.low.point).dot(chord) / chord.length_squared()).clamp(0.0, 1.0)
     }
 
     /// The point of the chord at the share of the way that `d` has of the clearance.
@@ -205,7 +229,8 @@ impl EdgeCurve {
         x
     }
 
-    fn clearance(&self, x: Point) -> f64 {
+    /// Mean distance of a point to the edge's two sites (to the lines and circles that carry them): its clearance, on the edge.
+    pub fn clearance(&self, x: Point) -> f64 {
         self.right.distance(x).midpoint(self.left.distance(x))
     }
 
