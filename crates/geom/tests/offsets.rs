@@ -165,3 +165,18 @@ proptest! {
         prop_assert_eq!(holds(&loops), Ok(()));
     }
 }
+
+/// Once both branches of the bisector, which run from apex to apex, were taken to lie on one side.
+#[test]
+fn eccentric_rings_have_both_halves() {
+    for shift in [0.1, 3.0, 16.0] {
+        let circle = |y: f64, r: f64| vec![[0.0, y - r, 1.0], [0.0, y + r, 1.0]];
+        let loops = vec![circle(0.0, 99.0), circle(shift, 73.0)];
+        holds(&loops).unwrap();
+        let offset = VoronoiEngine.offsets(&region(&loops), &[15.0], &OffsetOptions::default()).unwrap();
+        for l in &offset[0].loops {
+            let b = l.contour.bbox();
+            assert!((b.min.x + b.max.x).abs() < 1e-9, "{shift}: {b:?}");
+        }
+    }
+}

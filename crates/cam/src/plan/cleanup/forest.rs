@@ -58,8 +58,7 @@ impl Forest {
                     cost[far as usize] = through;
                     way_of[far as usize] = w;
                     let segment = if way.ends[0] == at { way.segment } else { way.segment.reversed() };
-                    forest.nodes[far as usize] =
-                        Node { parent: at, way: Some(segment), ..forest.nodes[far as usize] };
+                    forest.nodes[far as usize] = Node { parent: at, way: Some(segment), ..forest.nodes[far as usize] };
                     // The bits of a number that is not negative are ordered like the number.
                     heap.push(Reverse((through.to_bits(), far)));
                 }

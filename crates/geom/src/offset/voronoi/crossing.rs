@@ -183,8 +183,19 @@ impl EdgeCurve {
         let aside = offset.max(0.0).sqrt();
         let side = |p: Point| axis.cross(p - base);
         let (low, high) = (side(self.low.point), side(self.high.point));
+        if low.abs().max(high.abs()) <= CROSSING * self.scale() {
+            // from apex to apex: the ends lie on the axis and tell nothing
+            let left = base + axis.left() * aside;
+            return if self.rises_at(left) { left } else { base - axis.left() * aside };
+        }
         let side = if low.abs() > high.abs() { low } else { high };
         base + axis.left() * aside.copysign(side)
+    }
+
+    /// Whether clearance grows at `x` in the direction that has the right site to its right.
+    fn rises_at(&self, x: Point) -> bool {
+        let (g, h) = (self.right.gradient(x), self.left.gradient(x));
+        (g - h).right().dot(g + h) > 0.0
     }
 
     fn polished(&self, mut x: Point, d: f64) -> Point {
