@@ -8,6 +8,9 @@
 pub mod job;
 mod link;
 pub mod plan;
+pub mod tools;
 
 pub use job::{Entry, PocketJob};
 pub use plan::{EntryKind, Group, Link, LinkKind, Plan, PlanError, PlannedLoop, Warning, plan};
+pub use plan::{Strategy, StrategyCost, plan_subpockets, plans};
+pub use tools::{Neck, Scallop, ToolChooser};

@@ -139,6 +139,16 @@ impl Subpockets {
         self.gates.iter().map(|g| (g.pass, g.foot))
     }
 
+    /// The gates of all passes, highest first.
+    pub fn gates(&self) -> &[Gate] {
+        &self.gates
+    }
+
+    /// The subpockets before and behind a gate, in the order of its cell.
+    pub fn sides(&self, gate: &Gate) -> [u32; 2] {
+        [self.of_edge(gate.after), self.of_edge(self.skeleton.next(gate.after))]
+    }
+
     /// The subpocket that a skeleton edge lies in.
     pub fn of_edge(&self, edge: EdgeId) -> u32 {
         self.of_edge[edge as usize / 2]
@@ -163,12 +173,11 @@ impl Subpockets {
     }
 
     fn find_borders(&self) -> Vec<Border> {
-        let next = |g: &Gate| self.of_edge(self.skeleton.next(g.after));
         let border = |(k, g): (usize, &Gate)| {
             let over = &self.gates[g.over as usize];
             // Each pair of gates once.
             let twice = over.over as usize == k && (g.over as usize) < k;
-            let between = [self.of_edge(g.after), next(g)];
+            let between = self.sides(g);
             (!twice).then_some(Border { between, pass: g.pass, clearance: g.clearance, feet: [g.foot, over.foot] })
         };
         self.gates.iter().enumerate().filter_map(border).collect()

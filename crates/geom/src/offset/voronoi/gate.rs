@@ -22,8 +22,8 @@ pub struct Gate {
 }
 
 impl Gate {
-    /// The point of the critical edge at distance `d` from its site.
-    pub(super) fn at(&self, d: f64) -> Point {
+    /// The point of the critical edge at distance `d` (mm) from its site.
+    pub fn at(&self, d: f64) -> Point {
         if d <= 0.0 { self.foot } else { self.foot + (self.pass - self.foot).normalized() * d }
     }
 }
