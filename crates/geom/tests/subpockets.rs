@@ -5,9 +5,9 @@ use pocketry_geom::distance::Boundary;
 use pocketry_geom::offset::voronoi::{EdgeCurve, upward};
 use pocketry_geom::skeleton::check::CheckOptions;
 use pocketry_geom::skeleton::trees::{DisjointSets, Kind, Trees};
-use pocketry_geom::skeleton::{EdgeId, SiteShape, Skeleton, VertexId};
+use pocketry_geom::skeleton::{EdgeId, Site, SiteShape, Skeleton, Vertex, VertexId};
 use pocketry_geom::subpockets::Subpockets;
-use pocketry_geom::{Contour, Point, Region};
+use pocketry_geom::{Contour, Point, Region, Segment};
 use pocketry_testkit::{Loops, corpus, shapes, strategies};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
@@ -17,8 +17,11 @@ use std::f64::consts::{PI, TAU};
 const MOST_EDGES: usize = 400;
 /// What a clearance may be off, relative to the region's size.
 const ACCURACY: f64 = 1e-7;
-/// What the angle between two contacts may be off: feet of nearly tangent contacts are the least certain numbers.
-const ANGLE: f64 = 1e-3;
+/// Walls this much farther than the nearest still count as contacts, relative to the region's size: a vertex of high degree
+/// is a cluster of vertices.
+const CONTACT: f64 = 1e-5;
+/// What the angle between two contacts may be off: it moves with the root of what a clearance is off.
+const ANGLE: f64 = 0.02;
 /// Shares of a peak's clearance at which loops are drawn.
 const SHARES: [f64; 4] = [0.05, 0.4, 0.75, 0.98];
 
@@ -29,7 +32,7 @@ struct Facts {
     area: f64,
     /// For each plateau: what it is, its clearance, and the plateaus that its edges rise to.
     plateaus: Vec<(Kind, f64, Vec<u32>)>,
-    /// Distances to the walls along every edge that is not constant, from its lower end.
+    /// Distances to the walls along every edge that is not constant but for rounding, from its lower end.
     slopes: Vec<Vec<f64>>,
     /// Directions of the contacts at peaks and passes of one vertex.
     contacts: Vec<(Kind, Vec<f64>)>,
@@ -49,8 +52,8 @@ impl Facts {
             size: region.bbox().size(),
             area: region.area(),
             plateaus: plateaus(skeleton, &trees),
-            slopes: slopes(skeleton, &walls),
-            contacts: contacts(skeleton, &trees),
+            slopes: slopes(skeleton, &walls, ACCURACY * region.bbox().size()),
+            contacts: contacts(skeleton, &trees, region.bbox().size()),
             subpockets: list,
             loops: loops(&subpockets),
         }
@@ -62,11 +65,11 @@ fn plateaus(skeleton: &Skeleton, trees: &Trees) -> Vec<(Kind, f64, Vec<u32>)> {
     trees.plateaus().iter().map(|p| (p.kind, p.clearance, p.up.iter().map(to).collect())).collect()
 }
 
-fn slopes(skeleton: &Skeleton, walls: &Boundary) -> Vec<Vec<f64>> {
+fn slopes(skeleton: &Skeleton, walls: &Boundary, constant: f64) -> Vec<Vec<f64>> {
     let edges = (0..skeleton.edge_count() as EdgeId).map(|k| upward(skeleton, 2 * k));
     edges
         .map(|e| EdgeCurve::new(skeleton, e))
-        .filter(|c| c.low().clearance < c.high().clearance)
+        .filter(|c| c.high().clearance - c.low().clearance > constant)
         .map(|c| {
             let (low, high) = (c.low().clearance, c.high().clearance);
             (0..=4).map(|k| walls.distance(c.at_clearance(low + (high - low) * f64::from(k) / 4.0))).collect()
@@ -74,26 +77,21 @@ fn slopes(skeleton: &Skeleton, walls: &Boundary) -> Vec<Vec<f64>> {
         .collect()
 }
 
-fn contacts(skeleton: &Skeleton, trees: &Trees) -> Vec<(Kind, Vec<f64>)> {
-    let mut around: BTreeMap<VertexId, Vec<f64>> = BTreeMap::new();
-    for e in 0..skeleton.half_edges().len() as EdgeId {
-        let v = skeleton.origin(e);
-        let p = skeleton.vertices()[v as usize].point;
-        let foot = match skeleton.sites()[skeleton.site(e) as usize].shape {
-            SiteShape::Line(l) => l.nearest(p),
-            // About its centre an arc touches everywhere.
-            SiteShape::Arc(a) if a.center.distance(p) < 1e-3 * a.radius => {
-                around.entry(v).or_default().extend([0.0, 0.5 * PI, PI, 1.5 * PI]);
-                continue;
-            }
-            SiteShape::Arc(a) => a.nearest(p),
-            SiteShape::Point(q) => q,
-        };
-        around.entry(v).or_default().push((foot - p).angle());
-    }
+fn contacts(skeleton: &Skeleton, trees: &Trees, size: f64) -> Vec<(Kind, Vec<f64>)> {
     let single = trees.plateaus().iter().filter(|p| p.vertices.len() == 1);
     let extreme = single.filter(|p| matches!(p.kind, Kind::Peak | Kind::Pass));
-    extreme.map(|p| (p.kind, around.remove(&p.vertices[0]).unwrap_or_default())).collect()
+    let directions = |v: VertexId| {
+        let Vertex { point: p, clearance } = skeleton.vertices()[v as usize];
+        let near = |foot: Point| (foot.distance(p) <= clearance + CONTACT * size).then(|| (foot - p).angle());
+        let of_site = |site: &Site| match site.shape {
+            SiteShape::Line(l) => vec![near(l.nearest(p))],
+            // About its centre an arc touches everywhere; its ends and its middle stand for that.
+            SiteShape::Arc(a) => vec![near(a.nearest(p)), near(a.start), near(a.end), near(Segment::Arc(a).at(0.5))],
+            SiteShape::Point(q) => vec![near(q)],
+        };
+        skeleton.sites().iter().flat_map(of_site).flatten().collect()
+    };
+    extreme.map(|p| (p.kind, directions(p.vertices[0]))).collect()
 }
 
 fn loops(subpockets: &Subpockets) -> BTreeMap<(u32, usize), Vec<Contour>> {
@@ -185,7 +183,10 @@ fn one_loop_each(f: &Facts) -> Judgement {
 fn loops_share_the_peak(f: &Facts) -> Judgement {
     f.loops.iter().filter(|l| !f.subpockets[l.0.0 as usize].1).try_for_each(|(&(s, k), loops)| {
         let peak = f.subpockets[s as usize].0;
-        let around = |c: &Contour| Region::from_parts_unchecked(vec![c.clone()], vec![None]).contains(peak);
+        let around = |c: &Contour| {
+            let inside = Region::from_parts_unchecked(vec![c.clone()], vec![None]).contains(peak);
+            inside || c.distance(peak) <= ACCURACY * f.size
+        };
         require(loops.iter().all(around), || format!("6.2: level {k} of subpocket {s} leaves {peak:?} out"))
     })
 }

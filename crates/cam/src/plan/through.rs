@@ -71,12 +71,9 @@ impl Orderer<'_> {
     /// The areas of a subpocket from the inside out; the innermost one starts a chain, unless there is a way to it.
     fn cut_subpocket(&self, root: u32, pocket: usize, way: Option<Step>, chains: &mut Vec<Chain>) {
         let mut areas = self.inner_first(root).into_iter();
-        match (way, chains.last_mut()) {
-            (Some(step), Some(chain)) => {
-                areas.next();
-                chain.steps.push(step);
-            }
-            _ => {}
+        if let (Some(step), Some(chain)) = (way, chains.last_mut()) {
+            areas.next();
+            chain.steps.push(step);
         }
         for area in areas {
             self.cut_area(&self.levels.areas[area as usize], pocket, chains);
