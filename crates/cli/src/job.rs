@@ -26,7 +26,9 @@ pub(crate) fn run(drawing: &Drawing, settings: &Settings, report: &mut JobReport
     report.warnings.extend(drawing.warnings.iter().map(ToString::to_string));
     let typed =
         settings.choice().is_none().then(|| settings.resolve(drawing.tool_radius, drawing.interval)).transpose()?;
-    typed.iter().for_each(|setup| report.set_setup(setup));
+    if let Some(setup) = &typed {
+        report.set_setup(setup);
+    }
 
     let region = &drawing.region;
     let skeleton = Skeleton::build(region).map_err(|e| Failure::new(Exit::NotProven, "skeleton", e))?;
@@ -70,7 +72,7 @@ fn chosen(skeleton: &Skeleton, settings: &Settings) -> Result<Setup, Failure> {
         chooser.largest(tools, scallop, &usual.job).map_err(|e| Failure::new(Exit::NotProven, "offset", e))?;
     let Some(diameter) = largest else {
         let message =
-            format!("none of the tools leaves scallops of at most {} mm; `info` tells what each leaves", scallop);
+            format!("none of the tools leaves scallops of at most {scallop} mm; `info` tells what each leaves");
         return Err(Failure::new(Exit::BadInput, "no-tool", message));
     };
     settings.resolve_for(diameter, None)
