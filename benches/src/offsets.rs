@@ -1,8 +1,8 @@
 //! Many offsets of one skeleton: time for each output segment of a further offset at n = 1e3 … 1e5 and 10 … 1,000 offsets,
 //! and 50 offsets of the die cavity against `cavalier_contours`.
 //!
-//! `cargo run --release -p pocketry-benches --bin offsets`. The best of several runs counts, in
-//! CPU seconds; ratios are of one run.
+//! `cargo run --release -p pocketry-benches --bin offsets`. Times are CPU
+//! seconds, the mean of several runs; ratios are of one run.
 
 use cavalier_contours::polyline::{PlineSource, PlineSourceMut, PlineVertex, Polyline};
 use cavalier_contours::shape_algorithms::{Shape, ShapeOffsetOptions};
@@ -26,7 +26,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             let skeleton = Skeleton::build(&region)?;
             let offsetter = VoronoiOffsetter::new(&skeleton);
             for m in [10, 100, 1_000] {
-                let (segments, seconds) = best(|| output(&offsetter, &distances(&skeleton, m)));
+                let (segments, seconds) = timed(|| output(&offsetter, &distances(&skeleton, m)));
                 let each = 1e9 * seconds / segments as f64;
                 let kind = if arcs { "arcs" } else { "lines" };
                 println!("{kind:<8} {n:>8} {m:>8} {segments:>12} {seconds:>10.4} {each:>12.1}");
@@ -65,10 +65,10 @@ fn compare(loops: &Loops) -> Result<(), Box<dyn Error>> {
     let region = corpus::region(loops)?;
     let skeleton = Skeleton::build(&region)?;
     let at = distances(&skeleton, FAMILY);
-    let ((), building) = best(|| drop(Skeleton::build(&region)));
-    let (segments, offsets) = best(|| output(&VoronoiOffsetter::new(&skeleton), &at));
+    let ((), building) = timed(|| drop(Skeleton::build(&region)));
+    let (segments, offsets) = timed(|| output(&VoronoiOffsetter::new(&skeleton), &at));
     let shape = shape(&region);
-    let (theirs_segments, theirs) = best(|| theirs(&shape, &at));
+    let (theirs_segments, theirs) = timed(|| theirs(&shape, &at));
     println!(
         "die cavity, {} edges, {FAMILY} offsets: {segments} segments, skeleton {building:.5} s + offsets {offsets:.5} s; \
          cavalier_contours {theirs_segments} segments, {theirs:.5} s; {:.1} times as long as skeleton and offsets, {:.1} times as \
@@ -102,19 +102,17 @@ fn theirs(shape: &Shape<f64>, distances: &[f64]) -> usize {
     distances.iter().map(count).sum()
 }
 
-/// The fastest of at least two runs, half a second of them if they are short.
-fn best<T>(mut work: impl FnMut() -> T) -> (T, f64) {
+/// The mean of at least as many runs as fill half a second: the system counts CPU time in ticks.
+fn timed<T>(mut work: impl FnMut() -> T) -> (T, f64) {
     let clock = Instant::now();
-    let begun = Instant::now();
-    let now = || cpu_seconds().unwrap_or_else(|| begun.elapsed().as_secs_f64());
-    let mut seconds = f64::INFINITY;
+    let now = || cpu_seconds().unwrap_or_else(|| clock.elapsed().as_secs_f64());
+    let start = now();
+    let mut runs = 0.0;
     loop {
-        let start = now();
         let result = work();
-        let first = seconds.is_infinite();
-        seconds = seconds.min(now() - start);
-        if !first && clock.elapsed().as_secs_f64() > 0.5 {
-            return (result, seconds);
+        runs += 1.0;
+        if clock.elapsed().as_secs_f64() > 0.5 {
+            return (result, (now() - start) / runs);
         }
     }
 }
