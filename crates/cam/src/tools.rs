@@ -21,6 +21,9 @@ use serde::Serialize;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
+/// How exactly scallops are found, mm: a tenth of what a program may gouge.
+const TOLERANCE: f64 = 0.1 * GOUGE;
+
 /// The largest scallop that a tool leaves.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Scallop {
@@ -73,7 +76,8 @@ impl<'a> ToolChooser<'a> {
         let index = SegmentIndex::new(&axis);
         let size = |at: Point| {
             let beyond = index.nearest(at).map_or(0.0, |n| n.1) - radius;
-            Scallop { size: beyond.max(0.0), at }
+            // Less is rounding.
+            Scallop { size: if beyond > TOLERANCE { beyond } else { 0.0 }, at }
         };
         let start = Scallop { size: 0.0, at: axis[0].start() };
         let low = self.skeleton.vertices().iter().filter(|v| v.clearance < radius).map(|v| size(v.point));
@@ -180,7 +184,6 @@ impl Ord for Piece {
 
 /// The largest scallop on these walls: the piece with the highest bound is halved until it promises no more.
 fn farthest(walls: &[Segment], start: Scallop, size: impl Fn(Point) -> Scallop) -> Scallop {
-    let tolerance = 0.1 * GOUGE;
     let mut best = start;
     let mut pieces = BinaryHeap::new();
     for wall in walls {
@@ -188,7 +191,7 @@ fn farthest(walls: &[Segment], start: Scallop, size: impl Fn(Point) -> Scallop) 
         best = ends.into_iter().fold(best, larger);
         pieces.push(Piece::new(*wall, wall.length(), [0.0, 1.0], ends.map(|s| s.size)));
     }
-    while let Some(p) = pieces.pop().filter(|p| p.bound > best.size + tolerance) {
+    while let Some(p) = pieces.pop().filter(|p| p.bound > best.size + TOLERANCE) {
         let middle = p.from.midpoint(p.to);
         let found = size(p.wall.at(middle));
         best = larger(best, found);
