@@ -224,6 +224,7 @@ fn picture(region: &Region, plan: &Plan) -> String {
             pocketry_cam::LinkKind::Entry => "green",
             pocketry_cam::LinkKind::SideStep => "red",
             pocketry_cam::LinkKind::Medial => "magenta",
+            pocketry_cam::LinkKind::Through => "purple",
         };
         draw(&l.segments, color, 1.2 * w);
     }

@@ -8,6 +8,9 @@
 pub mod job;
 mod link;
 pub mod plan;
+pub mod tools;
 
 pub use job::{Entry, PocketJob};
 pub use plan::{Cleanup, EntryKind, Group, Link, LinkKind, Plan, PlanError, PlannedLoop, Uncut, Warning, plan};
+pub use plan::{Strategy, StrategyCost, plan_subpockets, plans};
+pub use tools::{Neck, Scallop, ToolChooser};

@@ -24,6 +24,8 @@ pub(crate) enum Command {
     Offset(OffsetArgs),
     /// Write the skeleton (Voronoi diagram inside the pockets) as SVG or JSON.
     Skeleton(SkeletonArgs),
+    /// Cut the pockets at their bottlenecks and write the subpockets as DXF, SVG or JSON.
+    Subpockets(SubpocketsArgs),
     /// Judge a program against a drawing: gouges, uncut material, rapid moves in the stock.
     Verify(VerifyArgs),
     /// Say what is in a drawing: contours, areas, the largest tool that fits.
@@ -97,6 +99,34 @@ impl FromStr for Stepover {
     }
 }
 
+/// Which tool.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum ToolArg {
+    /// The largest that meets the tolerance.
+    Auto,
+    /// Of this diameter, mm.
+    Diameter(f64),
+}
+
+impl FromStr for ToolArg {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        if text == "auto" { Ok(Self::Auto) } else { positive(text).map(Self::Diameter) }
+    }
+}
+
+/// How loops are laid.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum StrategyArg {
+    /// The quicker one.
+    Auto,
+    /// Around the whole pocket.
+    Contour,
+    /// Subpocket by subpocket.
+    Subpockets,
+}
+
 fn finite(text: &str) -> Option<f64> {
     text.trim().parse().ok().filter(|v: &f64| v.is_finite())
 }
@@ -121,9 +151,9 @@ fn not_negative(text: &str) -> Result<f64, String> {
 pub(crate) struct PocketArgs {
     /// The drawing: DXF, SVG, region JSON, or JSON lines for a batch.
     pub(crate) input: PathBuf,
-    /// Diameter of the tool, mm. Region JSON may hold its own radius.
-    #[arg(short, long, value_name = "MM", value_parser = positive)]
-    pub(crate) tool: Option<f64>,
+    /// Diameter of the tool, mm, or `auto`: the largest of --tools that meets --scallop. Region JSON may hold its own radius.
+    #[arg(short, long, value_name = "MM|auto")]
+    pub(crate) tool: Option<ToolArg>,
     /// The program to write [default: the drawing's name with .ngc].
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
@@ -157,6 +187,12 @@ pub(crate) struct CutArgs {
     /// No detours to what loops more than the radius apart leave uncut: such programs are refused.
     #[arg(long)]
     pub(crate) no_cleanup: bool,
+    /// With --tool auto: how far material may stay from what is cut, in corners and necks, mm.
+    #[arg(long, value_name = "MM", default_value = "0.1", value_parser = positive)]
+    pub(crate) scallop: f64,
+    /// With --tool auto: diameters of the tools at hand, mm, separated by commas.
+    #[arg(long, value_name = "MM,...", value_delimiter = ',', default_value = "3,4,6,8,10", value_parser = positive)]
+    pub(crate) tools: Vec<f64>,
     /// Material to leave on the walls, mm.
     #[arg(long, value_name = "MM", default_value = "0", value_parser = not_negative)]
     pub(crate) stock_to_leave: f64,
@@ -169,6 +205,10 @@ pub(crate) struct CutArgs {
     /// Z of the stock's top, mm.
     #[arg(long, value_name = "MM", default_value = "0", allow_hyphen_values = true, value_parser = number)]
     pub(crate) top: f64,
+    /// How loops are laid: around the whole pocket (`contour`), around one subpocket after the other (`subpockets`), or
+    /// whichever takes less time (`auto`).
+    #[arg(long, value_name = "HOW", default_value = "auto")]
+    pub(crate) strategy: StrategyArg,
     /// Climb milling (the default).
     #[arg(long, conflicts_with = "conventional")]
     pub(crate) climb: bool,
@@ -237,6 +277,18 @@ pub(crate) struct SkeletonArgs {
     pub(crate) drawing: DrawingArgs,
 }
 
+/// `pocketry subpockets`.
+#[derive(Args, Debug)]
+pub(crate) struct SubpocketsArgs {
+    /// The drawing: DXF, SVG or region JSON.
+    pub(crate) input: PathBuf,
+    /// File to write; its ending (.dxf, .svg, .json) says in which form [default: JSON to standard output].
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) drawing: DrawingArgs,
+}
+
 /// `pocketry verify`.
 #[derive(Args, Debug)]
 pub(crate) struct VerifyArgs {
@@ -265,6 +317,9 @@ pub(crate) struct VerifyArgs {
 pub(crate) struct InfoArgs {
     /// The drawing: DXF, SVG or region JSON.
     pub(crate) input: PathBuf,
+    /// Diameters of tools to compare, mm, separated by commas.
+    #[arg(long, value_name = "MM,...", value_delimiter = ',', default_value = "3,4,6,8,10", value_parser = positive)]
+    pub(crate) tools: Vec<f64>,
     /// Say it in JSON.
     #[arg(long)]
     pub(crate) json: bool,

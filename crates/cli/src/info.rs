@@ -5,6 +5,7 @@ use crate::console::{self, figure};
 use crate::drawing;
 use crate::failure::{Exit, Failure};
 use crate::output::print;
+use crate::toolbox::{self, ToolInfo};
 use pocketry_geom::skeleton::Skeleton;
 use pocketry_geom::{BBox, Contour, Segment};
 use pocketry_io::import::Drawing;
@@ -26,6 +27,7 @@ struct Info {
     /// Diameter of the largest tool that fits somewhere.
     largest_tool: f64,
     contours: Vec<ContourInfo>,
+    tools: Vec<ToolInfo>,
     warnings: Vec<String>,
 }
 
@@ -45,7 +47,8 @@ struct ContourInfo {
 pub(crate) fn run(args: &InfoArgs) -> Result<(), Failure> {
     let drawing = drawing::read(&args.input, &args.drawing)?;
     let skeleton = Skeleton::build(&drawing.region).map_err(|e| Failure::new(Exit::NotProven, "skeleton", e))?;
-    let info = Info::of(&drawing, &skeleton);
+    let tools = toolbox::table(&drawing, &skeleton, &args.tools)?;
+    let info = Info::of(&drawing, &skeleton, tools);
     if args.json {
         let text = serde_json::to_string_pretty(&info).unwrap_or_default();
         return print(&(text + "\n"));
@@ -55,7 +58,7 @@ pub(crate) fn run(args: &InfoArgs) -> Result<(), Failure> {
 }
 
 impl Info {
-    fn of(drawing: &Drawing, skeleton: &Skeleton) -> Self {
+    fn of(drawing: &Drawing, skeleton: &Skeleton, tools: Vec<ToolInfo>) -> Self {
         let region = &drawing.region;
         let (width, height, lower_left) = extents(region.bbox());
         let largest = skeleton.vertices().iter().map(|v| v.clearance).fold(0.0, f64::max);
@@ -68,6 +71,7 @@ impl Info {
             pockets: region.pockets().len(),
             largest_tool: 2.0 * largest,
             contours: region.contours().iter().map(ContourInfo::of).collect(),
+            tools,
             warnings: drawing.warnings.iter().map(ToString::to_string).collect(),
         }
     }
@@ -94,6 +98,7 @@ impl Info {
         if self.contours.len() > MOST_LISTED {
             let _ = writeln!(text, "  and {} more", self.contours.len() - MOST_LISTED);
         }
+        toolbox::write(&self.tools, &mut text);
         text
     }
 }

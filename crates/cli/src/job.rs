@@ -4,7 +4,7 @@ use crate::console::{duration, figure};
 use crate::failure::{Exit, Failure};
 use crate::report::{Details, JobReport, NOT_PROVEN, Status};
 use crate::settings::{Settings, Setup};
-use pocketry_cam::{Plan, PlanError, PocketJob};
+use pocketry_cam::{Plan, PlanError, PocketJob, ToolChooser};
 use pocketry_geom::skeleton::Skeleton;
 use pocketry_io::import::Drawing;
 use pocketry_io::post::{Dialect, LinuxCnc, PostError, PostOptions};
@@ -24,28 +24,82 @@ pub(crate) struct Proven {
 /// Plans, posts and proves. What is found on the way goes into `report`, failure or not.
 pub(crate) fn run(drawing: &Drawing, settings: &Settings, report: &mut JobReport) -> Result<Proven, Failure> {
     report.warnings.extend(drawing.warnings.iter().map(ToString::to_string));
-    let setup = settings.resolve(drawing.tool_radius, drawing.interval)?;
-    report.set_setup(&setup);
+    let typed =
+        settings.choice().is_none().then(|| settings.resolve(drawing.tool_radius, drawing.interval)).transpose()?;
+    if let Some(setup) = &typed {
+        report.set_setup(setup);
+    }
 
     let region = &drawing.region;
     let skeleton = Skeleton::build(region).map_err(|e| Failure::new(Exit::NotProven, "skeleton", e))?;
-    let plan = pocketry_cam::plan(region, &skeleton, &setup.job).map_err(|e| plan_failure(&e))?;
+    let setup = match typed {
+        Some(setup) => setup,
+        None => chosen(&skeleton, settings)?,
+    };
+    report.set_setup(&setup);
+    let plans = pocketry_cam::plans(region, &skeleton, &setup.job, setup.strategy).map_err(|e| plan_failure(&e))?;
+    report.strategies = plans.iter().map(|p| p.1).collect();
+    // The best one, unless only the other can be proven.
+    let mut first: Option<(Attempt, JobReport)> = None;
+    for (plan, _) in plans {
+        let mut own = report.clone();
+        let attempt = attempt(drawing, &setup, plan, &mut own)?;
+        if attempt.proof.is_proven() {
+            own.status = Status::Proven;
+            *report = own;
+            let Attempt { plan, figures, text, proof } = attempt;
+            return Ok(Proven { setup, skeleton, plan, figures, text, proof });
+        }
+        first.get_or_insert((attempt, own));
+    }
+    let message = "the program is not proven and was not written; please report it with the drawing";
+    Err(match first {
+        Some((attempt, own)) => {
+            *report = own;
+            let why = summary(message, &attempt.proof);
+            Failure::new(Exit::NotProven, NOT_PROVEN, why).with_details(places(&attempt.proof))
+        }
+        None => Failure::new(Exit::NotProven, NOT_PROVEN, message),
+    })
+}
+
+/// The setup for the largest of the tools at hand whose scallops are small enough.
+fn chosen(skeleton: &Skeleton, settings: &Settings) -> Result<Setup, Failure> {
+    let (tools, scallop) = settings.choice().unwrap_or_default();
+    let usual = settings.resolve_for(tools.iter().copied().fold(f64::INFINITY, f64::min), None)?;
+    let chooser = ToolChooser::new(skeleton);
+    let largest =
+        chooser.largest(tools, scallop, &usual.job).map_err(|e| Failure::new(Exit::NotProven, "offset", e))?;
+    let Some(diameter) = largest else {
+        let message =
+            format!("none of the tools leaves scallops of at most {scallop} mm; `info` tells what each leaves");
+        return Err(Failure::new(Exit::BadInput, "no-tool", message));
+    };
+    settings.resolve_for(diameter, None)
+}
+
+/// A plan with its program and the judgement on it.
+pub(crate) struct Attempt {
+    pub(crate) plan: Plan,
+    figures: Figures,
+    text: String,
+    pub(crate) proof: pocketry_verify::Report,
+}
+
+/// Posts and proves a plan.
+pub(crate) fn attempt(
+    drawing: &Drawing,
+    setup: &Setup,
+    plan: Plan,
+    report: &mut JobReport,
+) -> Result<Attempt, Failure> {
     let figures = plan.program.figures(&setup.job.feeds, &setup.job.stock);
     report.set_plan(&plan, &figures);
-    let text = write(&plan, &figures, &setup, &report.id)?;
-
-    if let Ok(d) = std::env::var("KEEP") {
-        let _ = std::fs::write(format!("{d}/{}.ngc", report.id.replace('/', "_")), &text);
-    }
-    let proof = prove(drawing, &setup, &text)?;
+    let text = write(&plan, &figures, setup, &report.id)?;
+    let proof = prove(drawing, setup, &text)?;
     report.set_proof(&proof);
-    report.details = Some(details(&setup, &plan, &figures, &proof));
-    if !proof.is_proven() {
-        let message = "the program is not proven and was not written; please report it with the drawing";
-        return Err(Failure::new(Exit::NotProven, NOT_PROVEN, summary(message, &proof)).with_details(places(&proof)));
-    }
-    report.status = Status::Proven;
-    Ok(Proven { setup, skeleton, plan, figures, text, proof })
+    report.details = Some(details(setup, &plan, &figures, &proof));
+    Ok(Attempt { plan, figures, text, proof })
 }
 
 fn plan_failure(error: &PlanError) -> Failure {

@@ -14,6 +14,8 @@ mod pocket;
 mod report;
 mod settings;
 mod skeleton;
+mod subpockets;
+mod toolbox;
 mod verify;
 
 use args::{Cli, Command};
@@ -39,6 +41,7 @@ fn run(command: &Command) -> Result<Exit, Failure> {
         Command::Pocket(args) => pocket::run(args)?,
         Command::Offset(args) => offset::run(args)?,
         Command::Skeleton(args) => skeleton::run(args)?,
+        Command::Subpockets(args) => subpockets::run(args)?,
         Command::Verify(args) => verify::run(args)?,
         Command::Info(args) => info::run(args)?,
     }

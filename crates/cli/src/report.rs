@@ -2,7 +2,7 @@
 
 use crate::failure::{ErrorReport, Failure};
 use crate::settings::Setup;
-use pocketry_cam::Plan;
+use pocketry_cam::{Plan, Strategy, StrategyCost};
 use pocketry_motion::Figures;
 use serde::Serialize;
 
@@ -37,6 +37,14 @@ pub(crate) struct JobReport {
     pub(crate) retracts: Option<usize>,
     pub(crate) loops: Option<usize>,
     pub(crate) control_vertices: Option<usize>,
+    /// The strategy that was taken.
+    pub(crate) strategy: Option<Strategy>,
+    /// What each strategy that was planned costs, the best first.
+    pub(crate) strategies: Vec<StrategyCost>,
+    /// Subpockets, where they were looked for and taken.
+    pub(crate) subpockets: Option<usize>,
+    /// Depth passes.
+    pub(crate) depth_passes: Option<usize>,
     /// How deep the tool enters a wall at worst, mm.
     pub(crate) gouge: Option<f64>,
     /// mm².
@@ -79,6 +87,10 @@ impl JobReport {
             retracts: None,
             loops: None,
             control_vertices: None,
+            strategy: None,
+            strategies: Vec::new(),
+            subpockets: None,
+            depth_passes: None,
             gouge: None,
             uncut_area: None,
             unreachable_area: None,
@@ -101,6 +113,9 @@ impl JobReport {
         self.retracts = Some(figures.retracts);
         self.loops = Some(plan.loops.len());
         self.control_vertices = Some(plan.control_vertices);
+        self.strategy = Some(plan.strategy);
+        self.subpockets = plan.subpockets;
+        self.depth_passes = Some(plan.passes);
     }
 
     pub(crate) fn set_proof(&mut self, proof: &pocketry_verify::Report) {

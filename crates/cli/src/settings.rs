@@ -1,15 +1,15 @@
 //! What was typed becomes what is to be done: defaults, percentages and limits resolved, one [`Setup`] a region.
 
-use crate::args::{CutArgs, MachineArgs, Stepover};
+use crate::args::{CutArgs, MachineArgs, Stepover, StrategyArg, ToolArg};
 use crate::failure::Failure;
-use pocketry_cam::PocketJob;
+use pocketry_cam::{PocketJob, Strategy};
 use pocketry_io::post::OutputUnit;
 use pocketry_motion::{Direction, Feeds, Heights, Stock, Tool};
 
 /// The settings shared by all regions of a run.
 #[derive(Clone, Debug)]
 pub(crate) struct Settings {
-    diameter: Option<f64>,
+    tool: Option<ToolArg>,
     cut: CutArgs,
     machine: MachineArgs,
 }
@@ -18,19 +18,34 @@ pub(crate) struct Settings {
 #[derive(Clone, Debug)]
 pub(crate) struct Setup {
     pub(crate) job: PocketJob,
+    pub(crate) strategy: Strategy,
     pub(crate) unit: OutputUnit,
 }
 
 impl Settings {
-    pub(crate) fn new(diameter: Option<f64>, cut: CutArgs, machine: MachineArgs) -> Self {
-        Self { diameter, cut, machine }
+    pub(crate) fn new(tool: Option<ToolArg>, cut: CutArgs, machine: MachineArgs) -> Self {
+        Self { tool, cut, machine }
     }
 
     /// The setup for a region; the file's own tool radius and interval (mm) stand where none were typed.
     pub(crate) fn resolve(&self, file_radius: Option<f64>, file_interval: Option<f64>) -> Result<Setup, Failure> {
-        let diameter = self.diameter.or(file_radius.map(|r| 2.0 * r)).ok_or_else(|| {
+        let typed = match self.tool {
+            Some(ToolArg::Diameter(diameter)) => Some(diameter),
+            Some(ToolArg::Auto) | None => None,
+        };
+        let diameter = typed.or(file_radius.map(|r| 2.0 * r)).ok_or_else(|| {
             Failure::arguments("no tool: give its diameter in mm with --tool (this drawing does not name one)")
         })?;
+        self.resolve_for(diameter, file_interval)
+    }
+
+    /// The tools to choose from and the largest scallop allowed, where the choice is left to us.
+    pub(crate) fn choice(&self) -> Option<(&[f64], f64)> {
+        matches!(self.tool, Some(ToolArg::Auto)).then_some((&self.cut.tools, self.cut.scallop))
+    }
+
+    /// The setup for a tool of this diameter, mm.
+    pub(crate) fn resolve_for(&self, diameter: f64, file_interval: Option<f64>) -> Result<Setup, Failure> {
         let usual = PocketJob::for_diameter(diameter);
         let stepdown = self.cut.stepdown.unwrap_or(usual.stepdown);
         let job = PocketJob {
@@ -45,7 +60,12 @@ impl Settings {
             feeds: self.feeds(),
             entry: usual.entry,
         };
-        Ok(Setup { job, unit: if self.machine.inch { OutputUnit::Inch } else { OutputUnit::Millimetre } })
+        let strategy = match self.cut.strategy {
+            StrategyArg::Auto => Strategy::Auto,
+            StrategyArg::Contour => Strategy::Contour,
+            StrategyArg::Subpockets => Strategy::Subpockets,
+        };
+        Ok(Setup { job, strategy, unit: if self.machine.inch { OutputUnit::Inch } else { OutputUnit::Millimetre } })
     }
 
     /// What was asked for, mm: typed, else in the file.

@@ -19,6 +19,7 @@ pub mod region;
 pub mod repair;
 pub mod segment;
 pub mod skeleton;
+pub mod subpockets;
 pub mod tolerance;
 
 pub use bbox::BBox;

@@ -77,7 +77,7 @@ impl Levels {
     }
 
     /// A degenerate path becomes a detour of the loop it hangs on, or an area of its own.
-    fn add_path(&mut self, mut path: pocketry_geom::offset::DegeneratePath, d: f64) {
+    pub(super) fn add_path(&mut self, mut path: pocketry_geom::offset::DegeneratePath, d: f64) {
         if path.attached.is_some() {
             for track in self.tracks.iter_mut().filter(|t| t.level == 0) {
                 match track.splice(path) {

@@ -1,4 +1,7 @@
-//! Contour-parallel pocketing: algorithm 4.1 of Chou and Cohen, *tool path generation I*.
+//! Contour-parallel pocketing: algorithm 4.1 of Chou and Cohen, *tool path generation I*; and algorithm 6.4, *tool path
+//! generation II*, which cuts subpocket after subpocket (`subpockets`, `through`). Which is better, `strategy` decides.
+//!
+//! Of I:
 //!
 //! 1. The loops at distances `r + q`, `r + q + w`, … for tool radius `r`, border `q` and stepover `w` (`levels`).
 //! 2. Their order: innermost first, each area's inner areas before its own loops; one *group* of loops for each area
@@ -19,6 +22,9 @@ mod levels;
 mod moves;
 mod order;
 mod report;
+mod strategy;
+mod subpockets;
+mod through;
 mod track;
 
 use crate::job::PocketJob;
@@ -32,33 +38,21 @@ use pocketry_geom::skeleton::trees::Trees;
 pub(crate) use track::{Cut, Landing, Track};
 
 pub use cleanup::{Cleanup, Uncut};
+pub use strategy::{Strategy, StrategyCost, plans};
+pub use subpockets::plan_subpockets;
+
 pub use report::{EntryKind, Group, Link, LinkKind, Plan, PlanError, PlannedLoop, Warning};
 
 /// More loops or passes than this are a slip of the finger.
 const MOST_LEVELS: f64 = 100_000.0;
 
-/// Plans a job in a region with its skeleton.
+/// Plans a job in a region with its skeleton, by loops around the whole region ([`Strategy::Contour`]).
 ///
 /// # Errors
 /// When the job asks for the impossible, or the tool fits nowhere in the region.
 pub fn plan(region: &Region, skeleton: &Skeleton, job: &PocketJob) -> Result<Plan, PlanError> {
-    job.check()?;
     let mut warnings = Vec::new();
-    let (first, stepover) = (job.first_distance(), clamped_stepover(job, &mut warnings));
-    let highest = skeleton.vertices().iter().map(|v| v.clearance).fold(0.0, f64::max);
-    if region.contours().is_empty() || highest < first - degenerate_slack(first) {
-        let largest = (2.0 * (highest - job.stock_to_leave)).max(0.0);
-        return Err(PlanError::DoesNotFit { diameter: job.tool.diameter, largest });
-    }
-    if highest > region.bbox().size() {
-        return Err(PlanError::Skeleton { clearance: highest });
-    }
-    if highest > MOST_LEVELS * stepover {
-        return Err(PlanError::Job { what: "stepover", value: stepover });
-    }
-    if job.stock.depth > MOST_LEVELS * job.stepdown {
-        return Err(PlanError::Job { what: "stepdown", value: job.stepdown });
-    }
+    let Limits { first, stepover, highest } = limits(region, skeleton, job, &mut warnings)?;
     let trees = Trees::new(skeleton);
     let distances = distances(first, stepover, highest);
     let mut levels = Levels::new(skeleton, &distances)?;
@@ -73,12 +67,47 @@ pub fn plan(region: &Region, skeleton: &Skeleton, job: &PocketJob) -> Result<Pla
     let chains = Orderer::new(skeleton, &levels).chains();
     warnings.extend(report::unreached(skeleton, &trees, first, job.stock_to_leave));
     let mut plan = moves::write(&levels, &chains, job, first);
+    plan.strategy = Strategy::Contour;
     plan.control_vertices = trees.controls().len();
     warnings.append(&mut plan.warnings);
     plan.warnings = warnings;
     plan.stepover = stepover;
     plan.cleanups = cleanups;
     Ok(plan)
+}
+
+/// Between which distances loops lie, mm.
+struct Limits {
+    first: f64,
+    stepover: f64,
+    /// The largest clearance of the skeleton.
+    highest: f64,
+}
+
+/// The limits of a job that can be done.
+fn limits(
+    region: &Region,
+    skeleton: &Skeleton,
+    job: &PocketJob,
+    warnings: &mut Vec<Warning>,
+) -> Result<Limits, PlanError> {
+    job.check()?;
+    let (first, stepover) = (job.first_distance(), clamped_stepover(job, warnings));
+    let highest = skeleton.vertices().iter().map(|v| v.clearance).fold(0.0, f64::max);
+    if region.contours().is_empty() || highest < first - degenerate_slack(first) {
+        let largest = (2.0 * (highest - job.stock_to_leave)).max(0.0);
+        return Err(PlanError::DoesNotFit { diameter: job.tool.diameter, largest });
+    }
+    if highest > region.bbox().size() {
+        return Err(PlanError::Skeleton { clearance: highest });
+    }
+    if highest > MOST_LEVELS * stepover {
+        return Err(PlanError::Job { what: "stepover", value: stepover });
+    }
+    if job.stock.depth > MOST_LEVELS * job.stepdown {
+        return Err(PlanError::Job { what: "stepdown", value: job.stepdown });
+    }
+    Ok(Limits { first, stepover, highest })
 }
 
 /// Step 2 of algorithm 4.1: the distances of the loops, in increasing order.

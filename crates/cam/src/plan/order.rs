@@ -6,7 +6,7 @@
 use super::levels::{Area, Levels};
 use super::{Cut, Landing, LinkKind};
 use crate::link::{Fans, medial_way, towards};
-use pocketry_geom::skeleton::{EdgeId, SiteId, Skeleton, VertexId};
+use pocketry_geom::skeleton::{EdgeId, NONE, SiteId, Skeleton, VertexId};
 use pocketry_geom::tolerance::{LANDING, LANDING_SNAP};
 use pocketry_geom::{BBox, Point, Segment, Vec2};
 use std::collections::{BTreeSet, HashMap};
@@ -34,7 +34,7 @@ pub(super) struct Chain {
 /// Puts tracks in order.
 pub(super) struct Orderer<'a> {
     skeleton: &'a Skeleton,
-    levels: &'a Levels,
+    pub(super) levels: &'a Levels,
     pub(super) fans: Fans<'a>,
     /// Every segment parallel to a site: `(level, site, track, segment)`, sorted.
     pieces: Vec<(usize, SiteId, u32, u32)>,
@@ -81,7 +81,7 @@ impl<'a> Orderer<'a> {
     }
 
     /// The areas of a tree, each after those inside it, the highest of them last.
-    fn inner_first(&self, root: u32) -> Vec<u32> {
+    pub(super) fn inner_first(&self, root: u32) -> Vec<u32> {
         let clearance = |a: u32| self.levels.areas[a as usize].clearance;
         let (mut order, mut stack) = (Vec::new(), vec![root]);
         while let Some(area) = stack.pop() {
@@ -95,7 +95,7 @@ impl<'a> Orderer<'a> {
     }
 
     /// Cuts an area's own tracks, going on from the last chain if the area holds inner ones.
-    fn cut_area(&self, area: &Area, pocket: usize, chains: &mut Vec<Chain>) {
+    pub(super) fn cut_area(&self, area: &Area, pocket: usize, chains: &mut Vec<Chain>) {
         let mut left: BTreeSet<u32> = area.tracks.iter().copied().collect();
         if area.children.is_empty() {
             chains.push(self.entered(area, pocket, &mut left));
@@ -130,7 +130,7 @@ impl<'a> Orderer<'a> {
         Chain { peak, steps: vec![self.step(at, link, LinkKind::Entry)], pocket }
     }
 
-    fn step(&self, landing: Landing, link: Vec<Segment>, kind: LinkKind) -> Step {
+    pub(super) fn step(&self, landing: Landing, link: Vec<Segment>, kind: LinkKind) -> Step {
         let cut = self.levels.tracks[landing.track as usize].cut_from(landing);
         Step { track: landing.track, cut, link, kind }
     }
@@ -180,23 +180,29 @@ impl<'a> Orderer<'a> {
         if from.level == to.level { self.medial_step(last, left) } else { self.side_step(last, left) }
     }
 
-    /// From a loop to one of the next level further out, straight towards the wall (step 4(b)i).
+    /// From a loop to one of the next level further out, straight towards the wall (step 4(b)i), from where the loop was
+    /// entered or else, along it, from the first place where such a step is met by the outer loop.
     fn side_step(&self, last: &Step, left: &BTreeSet<u32>) -> Option<Step> {
-        let (from, to) = (&self.levels.tracks[last.track as usize], &self.levels.tracks[*left.first()? as usize]);
-        let start = last.cut.start;
-        let first = last.cut.segments.first()?;
-        let towards_wall: Vec2 = first.start_tangent().right();
-        let at = start + towards_wall * (from.distance - to.distance);
-        let site = self.site_at(last)?;
-        let landing = self.landing(at, site, to.level, &|t| left.contains(&t))?;
-        Some(self.step(landing, vec![Segment::line(start, landing.point)], LinkKind::SideStep))
+        (0..last.cut.segments.len()).find_map(|k| self.side_step_from(last, k, left))
     }
 
-    /// The site that the first segment of a cut is parallel to.
-    fn site_at(&self, step: &Step) -> Option<SiteId> {
+    /// The side-step from the start of a segment of a cut.
+    fn side_step_from(&self, last: &Step, segment: usize, left: &BTreeSet<u32>) -> Option<Step> {
+        let (from, to) = (&self.levels.tracks[last.track as usize], &self.levels.tracks[*left.first()? as usize]);
+        let leaving = &last.cut.segments[segment];
+        let towards_wall: Vec2 = leaving.start_tangent().right();
+        let at = leaving.start() + towards_wall * (from.distance - to.distance);
+        let site = self.site_of(last, leaving).filter(|&site| site != NONE)?;
+        let landing = self.landing(at, site, to.level, &|t| left.contains(&t))?;
+        let mut link = last.cut.way(segment);
+        link.push(Segment::line(leaving.start(), landing.point));
+        Some(self.step(landing, link, LinkKind::SideStep))
+    }
+
+    /// The site that a segment of a cut is parallel to.
+    fn site_of(&self, step: &Step, segment: &Segment) -> Option<SiteId> {
         let track = &self.levels.tracks[step.track as usize];
-        let first = step.cut.segments.first()?;
-        let same = |s: &Segment| s.end() == first.end();
+        let same = |s: &Segment| s.end() == segment.end();
         track.segments.iter().position(same).map(|k| track.sites[k])
     }
 

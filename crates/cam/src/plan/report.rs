@@ -1,6 +1,6 @@
 //! What a plan holds, and what can be said about it.
 
-use super::Cleanup;
+use super::{Cleanup, Strategy};
 use pocketry_geom::offset::{OffsetError, degenerate_slack};
 use pocketry_geom::skeleton::Skeleton;
 use pocketry_geom::skeleton::trees::{Kind, Trees};
@@ -89,6 +89,10 @@ pub struct Plan {
     pub groups: Vec<Group>,
     /// Control vertices of the region's skeleton.
     pub control_vertices: usize,
+    /// How it was planned: [`Strategy::Contour`] or [`Strategy::Subpockets`].
+    pub strategy: Strategy,
+    /// Subpockets of the region, where they were looked for.
+    pub subpockets: Option<usize>,
     /// Depth passes.
     pub passes: usize,
     /// Detours of the loops to places that would stay uncut between them.
@@ -123,6 +127,8 @@ pub enum LinkKind {
     SideStep,
     /// Between loops of one distance, along loops and the skeleton.
     Medial,
+    /// Into a neighbouring subpocket, along loops that are cut and the critical edge between the two.
+    Through,
 }
 
 /// A way of the tool, cutting depth kept, from one loop to the next.

@@ -147,3 +147,60 @@ fn the_origin_can_be_moved() {
     let moved = corner(&["--origin", "-7,5"]);
     assert!((moved[0] - drawn[0] - 7.0).abs() < 1e-9 && (moved[1] - drawn[1] + 5.0).abs() < 1e-9);
 }
+
+#[test]
+fn strategies_are_compared_and_each_can_be_asked_for() {
+    let folder = Sandbox::new();
+    let (program, report) = (folder.path("a.ngc"), folder.path("a.json"));
+    let mut taken = Vec::new();
+    for strategy in ["auto", "contour", "subpockets"] {
+        let run = pocketry()
+            .args(["pocket", &bracket(), "--tool", "6", "-o", &program, "--report", &report, "--strategy", strategy])
+            .output()
+            .unwrap();
+        assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
+        let report: serde_json::Value = serde_json::from_str(&folder.read("a.json")).unwrap();
+        let costs = report["strategies"].as_array().unwrap();
+        let seconds: Vec<f64> = costs.iter().map(|c| c["machine_seconds"].as_f64().unwrap()).collect();
+        assert_eq!(seconds.len(), if strategy == "auto" { 2 } else { 1 });
+        assert_eq!(report["machine_seconds"].as_f64().unwrap(), seconds[0]);
+        assert!(seconds.is_sorted(), "the best first: {seconds:?}");
+        taken.push((strategy, report["strategy"].as_str().unwrap().to_owned()));
+    }
+    assert!(taken[1].1 == "contour" && taken[2].1 == "subpockets", "{taken:?}");
+}
+
+#[test]
+fn the_largest_tool_that_leaves_little_is_chosen() {
+    let folder = Sandbox::new();
+    // A square: a tool of diameter d leaves 0.207 d in its corners.
+    folder.write("a.json", r#"{"id": "a", "units": "mm", "loops": [[[0,0,0], [40,0,0], [40,40,0], [0,40,0]]]}"#);
+    let (input, program, report) = (folder.path("a.json"), folder.path("a.ngc"), folder.path("r.json"));
+    for (scallop, radius) in [("0.7", 1.5), ("0.9", 2.0), ("1.3", 3.0), ("50", 5.0)] {
+        let run = pocketry()
+            .args(["pocket", &input, "--tool", "auto", "--scallop", scallop, "--tools", "3,4,6,8,10"])
+            .args(["-o", &program, "--report", &report])
+            .output()
+            .unwrap();
+        assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
+        let report: serde_json::Value = serde_json::from_str(&folder.read("r.json")).unwrap();
+        assert_eq!(report["tool_radius"].as_f64(), Some(radius), "scallop {scallop}");
+    }
+    let none =
+        pocketry().args(["pocket", &input, "--tool", "auto", "--scallop", "0.1", "-o", &program]).output().unwrap();
+    assert_eq!(none.status.code(), Some(2));
+}
+
+#[test]
+fn subpockets_are_written_in_every_form() {
+    let folder = Sandbox::new();
+    for form in ["dxf", "svg", "json"] {
+        let output = folder.path(&format!("s.{form}"));
+        let run = pocketry().args(["subpockets", &bracket(), "-o", &output]).output().unwrap();
+        assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
+    }
+    let file: serde_json::Value = serde_json::from_str(&folder.read("s.json")).unwrap();
+    let subpockets = file["subpockets"].as_array().unwrap();
+    assert!(subpockets.len() > 1 && subpockets.iter().all(|s| s["area"].as_f64().unwrap() > 0.0));
+    assert!(file["passes"].as_array().unwrap().iter().all(|p| p["width"].as_f64().unwrap() > 0.0));
+}

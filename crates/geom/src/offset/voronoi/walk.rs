@@ -1,80 +1,166 @@
 //! Steps 3 and 4 of algorithm 3.6: from spanning edges to closed loops.
+//!
+//! Around a cell the edges that span the distance go up and down in turn. Ordered cell by cell, the k-th that goes up
+//! therefore starts the piece that the k-th that goes down ends: no edge in between is looked at, however many the cell
+//! has. A [`Gate`] ends one piece and starts the next.
 
 use super::crossing::EdgeCurve;
+use super::gate::Gate;
 use super::piece::parallel_piece;
 use crate::contour::Contour;
 use crate::offset::OffsetLoop;
 use crate::point::Point;
-use crate::skeleton::{EdgeId, SiteId, Skeleton};
-use crate::tolerance::OFFSET_DROP;
+use crate::segment::Segment;
+use crate::skeleton::{EdgeId, NONE, SiteId, Skeleton};
 
-/// The place where a loop crosses an edge, and the cell it goes on in.
-struct Crossing {
-    edge: EdgeId,
-    point: Point,
+/// Where a piece parallel to a site starts.
+#[derive(Clone, Copy, Debug)]
+enum Start {
+    /// On an edge going up.
+    Edge(EdgeId),
+    /// At a gate (an index).
+    Gate(u32),
+}
+
+/// A skeleton seen by walks.
+pub(super) struct Walk<'a> {
+    pub(super) skeleton: &'a Skeleton,
+    /// The place of every half-edge in the order of the cells.
+    pub(super) ranks: &'a [u32],
+    /// The gates that are open: those with a clearance above the distance.
+    pub(super) gates: &'a [Gate],
+    /// The distance.
+    pub(super) d: f64,
+    /// Shorter pieces are dropped, mm.
+    pub(super) drop: f64,
+}
+
+/// One segment of a loop before it has a shape.
+struct Leg {
+    start: Point,
+    end: Point,
+    /// The site it is parallel to, or `NONE` along a critical edge.
     site: SiteId,
+    /// The edge on which it starts, or `NONE` at a gate.
+    crossing: EdgeId,
 }
 
-/// The loops through these half-edges, which are all that go up across `d`, in increasing order.
-pub(super) fn loops(skeleton: &Skeleton, spanning: &[EdgeId], d: f64, size: f64) -> Vec<OffsetLoop> {
-    let mut visited = vec![false; spanning.len()];
-    let mut loops = Vec::new();
-    // Step 4: every spanning edge that no loop has crossed yet starts one (4a, 4b).
-    for start in 0..spanning.len() {
-        if visited[start] {
-            continue;
-        }
-        let mut crossings = Vec::new();
-        let mut at = start;
-        while !visited[at] {
-            // Step 4c: the a-list here is the list of spanning edges.
-            visited[at] = true;
-            let edge = spanning[at];
-            crossings.push(Crossing {
-                edge,
-                point: EdgeCurve::new(skeleton, edge).at_clearance(d),
-                site: skeleton.site(edge),
-            });
-            // Steps 4d and 4f: on to where the cell's boundary comes down through `d`, and over to the next cell.
-            let over = Skeleton::twin(descent(skeleton, edge, d));
-            at = spanning.binary_search(&over).unwrap_or(start);
-        }
-        // Step 4g: back at the starting edge.
-        loops.extend(assemble(skeleton, &crossings, d, OFFSET_DROP * size));
+/// The place of every half-edge in the order of the cells, each from its site's start to its end.
+pub(super) fn ranks(skeleton: &Skeleton) -> Vec<u32> {
+    let mut ranks = vec![NONE / 4; skeleton.half_edges().len()];
+    let cells = (0..skeleton.sites().len() as SiteId).flat_map(|site| skeleton.cell(site));
+    for (rank, e) in cells.enumerate() {
+        ranks[e as usize] = rank as u32;
     }
-    loops
+    ranks
 }
 
-/// Step 4d: the next edge of the cell of `up` that spans `d`; clearance falls along it.
-fn descent(skeleton: &Skeleton, up: EdgeId, d: f64) -> EdgeId {
-    let mut e = skeleton.next(up);
-    while e != up && skeleton.target_clearance(e) > d {
-        e = skeleton.next(e);
+impl Walk<'_> {
+    /// The loops through these half-edges, which are all that go up across the distance, and the open gates; each
+    /// with an edge of the part of the region that it lies in.
+    pub(super) fn loops(&self, spanning: Vec<EdgeId>) -> Vec<(OffsetLoop, EdgeId)> {
+        let mut starts: Vec<(u32, Start)> = Vec::with_capacity(spanning.len() + self.gates.len());
+        starts.extend(spanning.into_iter().map(|e| (self.edge_place(e), Start::Edge(e))));
+        starts.extend(self.gates.iter().enumerate().map(|(k, g)| (self.gate_place(g), Start::Gate(k as u32))));
+        starts.sort_unstable_by_key(|s| s.0);
+        let points: Vec<Point> = starts.iter().map(|s| self.point(s.1)).collect();
+        let next = self.successors(&starts);
+        // Step 4: every piece that is in no loop yet starts one (4a, 4b); the a-list is the list of pieces.
+        let mut visited = vec![false; starts.len()];
+        let mut loops = Vec::new();
+        let mut legs = Vec::new();
+        for first in 0..starts.len() {
+            let mut at = first;
+            while !visited[at] {
+                // Steps 4c to 4f.
+                visited[at] = true;
+                let then = next[at] as usize;
+                self.piece(starts[at].1, points[at], starts[then].1, points[then], &mut legs);
+                at = then;
+            }
+            // Step 4g: back at the start.
+            loops.extend(self.assemble(&legs).map(|l| (l, self.edge(starts[first].1))));
+            legs.clear();
+        }
+        loops
     }
-    e
-}
 
-/// Step 4e: the segments between successive crossings. Those shorter than `drop` go, and the next one starts where the
-/// one before ended; a loop without extent goes whole.
-fn assemble(skeleton: &Skeleton, crossings: &[Crossing], d: f64, drop: f64) -> Option<OffsetLoop> {
-    let mut kept: Vec<(Point, Point, &Crossing)> = Vec::with_capacity(crossings.len());
-    let mut at = crossings[0].point;
-    for (k, crossing) in crossings.iter().enumerate() {
-        let end = crossings[(k + 1) % crossings.len()].point;
-        if at.distance(end) > drop {
-            kept.push((at, end, crossing));
-            at = end;
+    /// For each piece the one that starts where it ends: a permutation, so that every loop closes.
+    fn successors(&self, starts: &[(u32, Start)]) -> Vec<u32> {
+        let arrival = |start: Start| match start {
+            Start::Edge(e) => self.edge_place(Skeleton::twin(e)),
+            Start::Gate(g) => self.gate_place(&self.gates[self.gates[g as usize].from as usize]),
+        };
+        let mut ends: Vec<(u32, u32)> = starts.iter().zip(0..).map(|(s, k)| (arrival(s.1), k)).collect();
+        ends.sort_unstable();
+        ends.into_iter().map(|e| e.1).collect()
+    }
+
+    fn edge_place(&self, e: EdgeId) -> u32 {
+        2 * self.ranks[e as usize]
+    }
+
+    fn gate_place(&self, gate: &Gate) -> u32 {
+        2 * self.ranks[gate.after as usize] + 1
+    }
+
+    fn edge(&self, start: Start) -> EdgeId {
+        match start {
+            Start::Edge(e) => e,
+            Start::Gate(g) => self.skeleton.next(self.gates[g as usize].after),
         }
     }
-    if kept.len() < 2 {
-        return None;
+
+    fn point(&self, start: Start) -> Point {
+        match start {
+            Start::Edge(e) => EdgeCurve::new(self.skeleton, e).at_clearance(self.d),
+            Start::Gate(g) => self.gates[g as usize].at(self.d),
+        }
     }
-    kept[0].0 = at;
-    let shape = |site: SiteId| skeleton.sites()[site as usize].shape;
-    let segments = kept.iter().map(|&(start, end, c)| parallel_piece(shape(c.site), d, start, end)).collect();
-    Some(OffsetLoop {
-        contour: Contour::new(segments),
-        sites: kept.iter().map(|k| k.2.site).collect(),
-        crossings: kept.iter().map(|k| k.2.edge).collect(),
-    })
+
+    /// Step 4e: the piece from one start to the next, and the way across a pass.
+    fn piece(&self, start: Start, from: Point, then: Start, to: Point, legs: &mut Vec<Leg>) {
+        let (site, crossing) = match start {
+            Start::Edge(e) => (self.skeleton.site(e), e),
+            Start::Gate(g) => (self.skeleton.site(self.gates[g as usize].after), NONE),
+        };
+        match then {
+            Start::Edge(_) => legs.push(Leg { start: from, end: to, site, crossing }),
+            Start::Gate(g) => {
+                let gate = &self.gates[self.gates[g as usize].from as usize];
+                let end = gate.at(self.d);
+                legs.push(Leg { start: from, end, site, crossing });
+                let straight = Segment::line(end, to).distance(gate.pass) <= self.drop;
+                let corner = if straight { to } else { gate.pass };
+                legs.push(Leg { start: end, end: corner, site: NONE, crossing: NONE });
+                legs.push(Leg { start: corner, end: to, site: NONE, crossing: NONE });
+            }
+        }
+    }
+
+    /// Legs become segments. Those that are too short go, and the next one starts where the one before ended; a loop
+    /// without extent goes whole.
+    fn assemble(&self, legs: &[Leg]) -> Option<OffsetLoop> {
+        let mut kept: Vec<(Point, Point, &Leg)> = Vec::with_capacity(legs.len());
+        let mut at = legs.first()?.start;
+        for leg in legs {
+            if at.distance(leg.end) > self.drop {
+                kept.push((at, leg.end, leg));
+                at = leg.end;
+            }
+        }
+        if kept.len() < 2 {
+            return None;
+        }
+        kept[0].0 = at;
+        let segment = |&(start, end, leg): &(Point, Point, &Leg)| match leg.site {
+            NONE => Segment::line(start, end),
+            site => parallel_piece(self.skeleton.sites()[site as usize].shape, self.d, start, end),
+        };
+        Some(OffsetLoop {
+            contour: Contour::new(kept.iter().map(segment).collect()),
+            sites: kept.iter().map(|k| k.2.site).collect(),
+            crossings: kept.iter().map(|k| k.2.crossing).collect(),
+        })
+    }
 }
