@@ -1,6 +1,6 @@
 //! Step 3: all crossings among raw curves.
 
-use super::local::RawPiece;
+use super::local::{BRIDGE, RawPiece};
 use crate::index::SegmentIndex;
 use crate::point::{Point, Vec2};
 use crate::predicates::orientation;
@@ -54,7 +54,8 @@ impl Pieces {
         let _: ControlFlow<()> = SegmentIndex::new(&segments).visit_pairs(0.0, |i, j| {
             let (i, j) = (i as u32, j as u32);
             let (a, b) = (&segments[i as usize], &segments[j as usize]);
-            if !self.are_neighbours(i, j) {
+            let real = |k: u32| self.all[k as usize].element != BRIDGE;
+            if real(i) && real(j) && !self.are_neighbours(i, j) {
                 cross(a, b, |at| {
                     let turn = tangent(a, at).cross(tangent(b, at));
                     let (below, above) = if turn > 0.0 { (i, j) } else { (j, i) };

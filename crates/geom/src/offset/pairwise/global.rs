@@ -1,7 +1,8 @@
-//! Steps 4 and 5: how deep the parts of raw curves lie, and the loops that those at the top make.
+//! Steps 4 and 5: global interfering ranges go, and what remains joins to loops.
 //!
-//! With the pocket to the left of travel, a point on a raw curve is `k` deep if `k` walls too many are within reach to
-//! its left. At a crossing the curve from which the other turns left goes one deeper, the other comes one up.
+//! Crossings part raw curves into runs, and no run changes its validity on the way: one question to the boundary settles
+//! it. At a crossing the curve from which the other turns left goes below; a valid run that ends there must be one that
+//! does, and go on along the other. Where that fails, the crossings are wrong.
 
 use super::crossings::{Crossing, Pieces};
 use super::local::{BRIDGE, RawPiece};
@@ -14,6 +15,9 @@ use crate::segment::Segment;
 use crate::skeleton::NONE;
 use crate::tolerance::OFFSET_DROP;
 use crate::tolerance::pairwise::CLEARANCE;
+
+/// Short runs that follow one another.
+const SETTLINGS: usize = 3;
 
 /// A crossing as one of its two curves meets it.
 #[derive(Clone, Copy, Debug)]
@@ -37,7 +41,7 @@ pub(super) fn loops(
     let crossings = pieces.crossings();
     let events = events(&pieces, &crossings);
     let judge = Judge { pieces: &pieces, crossings: &crossings, events: &events, d, walls, tolerance: CLEARANCE * size };
-    let runs = judge.runs()?;
+    let runs = judge.runs();
     let mut traced = Vec::new();
     for closed in &runs.whole {
         traced.push(pieces.all[closed.clone()].iter().map(|p| (p.segment, p.element)).collect());
@@ -86,80 +90,66 @@ struct Runs {
 }
 
 impl Judge<'_> {
-    fn runs(&self) -> Result<Runs, String> {
-        let mut runs = Runs { whole: Vec::new(), valid: vec![false; self.events.len()] };
+    fn runs(&self) -> Runs {
+        let (mut whole, mut verdicts) = (Vec::new(), Vec::with_capacity(self.events.len()));
+        // For each crossing the event before that of the curve which goes below.
+        let mut before = vec![0; self.crossings.len()];
         for bounds in self.pieces.bounds.windows(2) {
             let first = self.events.partition_point(|e| e.piece < bounds[0]);
             let last = self.events.partition_point(|e| e.piece < bounds[1]);
-            if first == last {
-                let range = bounds[0] as usize..bounds[1] as usize;
-                if self.is_valid(self.longest(range.clone())) == Some(true) {
-                    runs.whole.push(range);
-                }
-                continue;
+            let range = bounds[0] as usize..bounds[1] as usize;
+            if first == last && self.is_whole(range.clone()) {
+                whole.push(range);
             }
-            self.curve(first..last, &mut runs.valid)?;
+            verdicts.extend(self.verdicts(first..last));
+            for k in (first..last).filter(|&k| self.events[k].below) {
+                before[self.events[k].crossing as usize] = if k == first { last - 1 } else { k - 1 };
+            }
         }
-        Ok(runs)
+        Runs { whole, valid: self.settle(&verdicts, &before) }
     }
 
-    /// Depths along one curve: those at the top are valid, if the boundary agrees.
-    fn curve(&self, range: std::ops::Range<usize>, valid: &mut [bool]) -> Result<(), String> {
-        let mut depth = 0_i32;
-        let depths: Vec<i32> = self.events[range.clone()]
-            .iter()
-            .map(|e| {
-                depth += if e.below { 1 } else { -1 };
-                depth
-            })
-            .collect();
-        if depth != 0 {
-            return Err(format!("a curve ends {depth} deeper than it starts"));
-        }
-        let top = depths.iter().copied().min().unwrap_or(0);
-        let mut verdicts = Vec::with_capacity(depths.len());
-        for k in range.clone() {
+    /// What the boundary says of the runs of one curve.
+    fn verdicts(&self, range: std::ops::Range<usize>) -> impl Iterator<Item = Option<bool>> + '_ {
+        range.clone().map(move |k| {
             let next = if k + 1 == range.end { range.start } else { k + 1 };
-            verdicts.push(self.is_valid(self.middle(k, next)));
-        }
-        let at_top = || depths.iter().zip(&verdicts).filter(|(d, _)| **d == top);
-        let is_top_valid = at_top().any(|(_, v)| *v == Some(true));
-        for ((k, depth), verdict) in range.zip(&depths).zip(&verdicts) {
-            valid[k] = is_top_valid && *depth == top;
-            if verdict.is_some_and(|v| v != valid[k]) {
-                let at = self.crossings[self.events[k].crossing as usize].at;
-                return Err(format!("depth and clearance disagree after ({}, {})", at.x, at.y));
+            let run = self.run(k, next);
+            if run.iter().any(|r| r.1 == BRIDGE) {
+                return Some(false);
             }
-        }
-        Ok(())
+            let longest = run.iter().max_by(|a, b| a.0.length().total_cmp(&b.0.length()))?;
+            if longest.0.length() <= self.tolerance { None } else { self.is_valid(longest.0.at(0.5)) }
+        })
     }
 
-    /// Whether a point is clear of the boundary; `None` where that is too close to tell, or it is on no curve.
-    fn is_valid(&self, p: Option<Point>) -> Option<bool> {
-        let clearance = self.walls.distance(p?);
+    /// Runs that are too short to be asked about follow from the one that leads to their crossing.
+    fn settle(&self, verdicts: &[Option<bool>], before: &[usize]) -> Vec<bool> {
+        let mut settled = verdicts.to_vec();
+        for _ in 0..SETTLINGS {
+            for (k, event) in self.events.iter().enumerate().filter(|(k, _)| verdicts[*k].is_none()) {
+                let lead = before[event.crossing as usize];
+                settled[k] = if event.below { Some(false) } else { settled[lead] };
+            }
+        }
+        settled.into_iter().map(|v| v.unwrap_or(false)).collect()
+    }
+
+    /// Whether a point is clear of the boundary; `None` where that is too close to tell.
+    fn is_valid(&self, p: Point) -> Option<bool> {
+        let clearance = self.walls.distance(p);
         if clearance < self.d - self.tolerance {
             Some(false)
         } else {
-            // A bridge may lie far above: that is no offset either, but it is told by its kind.
-            Some(self.walls.contains(p?)).filter(|_| clearance >= self.d - 0.5 * self.tolerance)
+            Some(self.walls.contains(p)).filter(|_| clearance >= self.d - 0.5 * self.tolerance)
         }
     }
 
-    /// The middle of the longest of these pieces.
-    fn longest(&self, range: std::ops::Range<usize>) -> Option<Point> {
-        let pieces = self.pieces.all[range].iter().filter(|p| p.element != BRIDGE);
-        let longest = pieces.max_by(|a, b| a.segment.length().total_cmp(&b.segment.length()));
-        longest.map(|p| p.segment.at(0.5))
-    }
-
-    /// A point of the run between two successive events of a curve.
-    fn middle(&self, from: usize, to: usize) -> Option<Point> {
-        let (a, b) = (&self.events[from], &self.events[to]);
-        let run = self.run(from, to);
-        let longest = run.iter().max_by(|a, b| a.0.length().total_cmp(&b.0.length()))?;
-        let is_short = longest.0.length() <= self.tolerance;
-        debug_assert!(a.piece != b.piece || !run.is_empty());
-        (!is_short && longest.1 != BRIDGE).then(|| longest.0.at(0.5))
+    /// Whether a curve that crosses nothing is valid: all of it is, or nothing.
+    fn is_whole(&self, range: std::ops::Range<usize>) -> bool {
+        let pieces = &self.pieces.all[range];
+        let longest = pieces.iter().max_by(|a, b| a.segment.length().total_cmp(&b.segment.length()));
+        let bridged = pieces.iter().any(|p| p.element == BRIDGE);
+        !bridged && longest.is_some_and(|p| self.is_valid(p.segment.at(0.5)) == Some(true))
     }
 
     /// The pieces of the run between two successive events of a curve, with their elements.

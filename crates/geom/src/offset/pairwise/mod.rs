@@ -6,22 +6,21 @@
 //!    No local loop is ever formed: a fillet of a thousand tiny segments vanishes like a single one.
 //! 2. What remains, joined, makes one raw curve a contour.
 //! 3. All intersections among raw curves are found through the spatial index, O((n + k) log n) on everything seen (`crossings`).
-//! 4. Global interfering ranges are removed (`global`): at a crossing one curve goes below the other; walking along a curve
-//!    and counting gives how deep each part of it lies, up to a constant that one question to the boundary settles. It
-//!    settles the inclusion of curves that cross nothing (the paper's figure 8), too.
-//! 5. Parts of depth 0 join at the crossings to valid loops.
+//! 4. Global interfering ranges are removed (`global`): the run of a curve between two crossings is valid or interfering as a
+//!    whole, and the distance of one of its points to the boundary tells. It settles the inclusion of curves that cross
+//!    nothing (the paper's figure 8), too.
+//! 5. Valid runs join at the crossings to loops.
 //!
 //! **Exactness.** Segments stay lines, and reflex vertices get true arcs: the curves are the true offset, not chords of it.
 //! Arcs *of the region* are replaced by chords first, within [`PairwiseEngine::chord_tolerance`].
 //!
 //! **Robustness.** Straight pieces cross by exact predicates; what arcs do is computed, and may contradict itself where a
-//! curve passes through a joint of another. Then depths do not close, or an asked clearance denies them: the
-//! offset is made anew at a distance larger by [`PERTURBATION`] of the region's size, a few times at most, and refused with an
+//! curve passes through a joint of another. Then a valid run leads nowhere: the offset is made anew at a distance larger by [`PERTURBATION`] of the region's size, a few times at most, and refused with an
 //! error if that does not help. Channels exactly twice as wide as the distance are decided in the same way.
 //!
 //! **Departures from the paper.** It trims ranges along the boundary and builds the raw offset from what is left;
-//! here the offset elements themselves are trimmed, which is the same. Its global test starts anew from each intersection;
-//! here depths do it in one walk.
+//! here the offset elements themselves are trimmed, which is the same. Its global test goes from
+//! an intersection element by element until the interference ends; here the next intersection ends it.
 
 mod crossings;
 mod element;
