@@ -10,4 +10,6 @@ mod link;
 pub mod plan;
 
 pub use job::{Entry, PocketJob};
-pub use plan::{Cleanup, EntryKind, Group, Link, LinkKind, Plan, PlanError, PlannedLoop, Uncut, Warning, plan};
+pub use plan::{
+    Cleanup, EntryKind, Group, Link, LinkKind, Plan, PlanError, PlannedLoop, Uncut, Warning, plan, quickest,
+};

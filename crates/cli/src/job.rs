@@ -1,10 +1,13 @@
 //! The walk from a region to a proven program. No files, no clock: the same for a single job and for a batch.
 
+use crate::args::Boundary;
 use crate::console::{duration, figure};
 use crate::failure::{Exit, Failure};
 use crate::report::{Details, JobReport, NOT_PROVEN, Status};
 use crate::settings::{Settings, Setup};
 use pocketry_cam::{Plan, PlanError, PocketJob};
+use pocketry_geom::offset::{VoronoiEngine, outward};
+use pocketry_geom::repair::{RepairOptions, build};
 use pocketry_geom::skeleton::Skeleton;
 use pocketry_io::import::Drawing;
 use pocketry_io::post::{Dialect, LinuxCnc, PostError, PostOptions};
@@ -21,22 +24,33 @@ pub(crate) struct Proven {
     pub(crate) proof: pocketry_verify::Report,
 }
 
+/// Area curves that already are tool paths become the walls that such paths keep clear of: the region grows by the tool's radius
+/// and what is left on walls. (Where that closes a gap, the tool would not fit between the two sides of a wall.)
+pub(crate) fn to_walls(drawing: &mut Drawing, setup: &Setup) -> Result<(), Failure> {
+    if setup.boundary == Boundary::Walls {
+        return Ok(());
+    }
+    let failed = |e: &dyn std::fmt::Display| Failure::new(Exit::NotProven, "offset", e);
+    let contours = outward(&VoronoiEngine, &drawing.region, setup.job.first_distance()).map_err(|e| failed(&e))?;
+    drawing.region = build(contours, &RepairOptions::default()).map_err(|e| failed(&e))?.region;
+    Ok(())
+}
+
 /// Plans, posts and proves. What is found on the way goes into `report`, failure or not.
-pub(crate) fn run(drawing: &Drawing, settings: &Settings, report: &mut JobReport) -> Result<Proven, Failure> {
+pub(crate) fn run(drawing: &mut Drawing, settings: &Settings, report: &mut JobReport) -> Result<Proven, Failure> {
     report.warnings.extend(drawing.warnings.iter().map(ToString::to_string));
     let setup = settings.resolve(drawing.tool_radius, drawing.interval)?;
     report.set_setup(&setup);
+    to_walls(drawing, &setup)?;
 
     let region = &drawing.region;
     let skeleton = Skeleton::build(region).map_err(|e| Failure::new(Exit::NotProven, "skeleton", e))?;
-    let plan = pocketry_cam::plan(region, &skeleton, &setup.job).map_err(|e| plan_failure(&e))?;
+    let planner = if setup.any_stepover { pocketry_cam::quickest } else { pocketry_cam::plan };
+    let plan = planner(region, &skeleton, &setup.job).map_err(|e| plan_failure(&e))?;
     let figures = plan.program.figures(&setup.job.feeds, &setup.job.stock);
     report.set_plan(&plan, &figures);
     let text = write(&plan, &figures, &setup, &report.id)?;
 
-    if let Ok(d) = std::env::var("KEEP") {
-        let _ = std::fs::write(format!("{d}/{}.ngc", report.id.replace('/', "_")), &text);
-    }
     let proof = prove(drawing, &setup, &text)?;
     report.set_proof(&proof);
     report.details = Some(details(&setup, &plan, &figures, &proof));
@@ -48,7 +62,7 @@ pub(crate) fn run(drawing: &Drawing, settings: &Settings, report: &mut JobReport
     Ok(Proven { setup, skeleton, plan, figures, text, proof })
 }
 
-fn plan_failure(error: &PlanError) -> Failure {
+pub(crate) fn plan_failure(error: &PlanError) -> Failure {
     let (exit, kind) = match error {
         PlanError::DoesNotFit { .. } => (Exit::BadInput, "does-not-fit"),
         PlanError::Job { .. } => (Exit::BadInput, "arguments"),
@@ -58,7 +72,7 @@ fn plan_failure(error: &PlanError) -> Failure {
     Failure::new(exit, kind, error)
 }
 
-fn write(plan: &Plan, figures: &Figures, setup: &Setup, id: &str) -> Result<String, Failure> {
+pub(crate) fn write(plan: &Plan, figures: &Figures, setup: &Setup, id: &str) -> Result<String, Failure> {
     plan.program.check(&setup.job.stock).map_err(|e| Failure::new(Exit::NotProven, "program", e))?;
     let mut options = PostOptions::for_tool(setup.job.tool, setup.job.feeds, setup.unit);
     options.header = header(id, &setup.job, plan, figures);
@@ -74,7 +88,7 @@ fn post_failure(error: &PostError) -> Failure {
     Failure::new(exit, kind, error)
 }
 
-fn prove(drawing: &Drawing, setup: &Setup, text: &str) -> Result<pocketry_verify::Report, Failure> {
+pub(crate) fn prove(drawing: &Drawing, setup: &Setup, text: &str) -> Result<pocketry_verify::Report, Failure> {
     let options = VerifyOptions {
         stock_to_leave: setup.job.stock_to_leave,
         top: setup.job.stock.top,

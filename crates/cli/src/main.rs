@@ -14,6 +14,7 @@ mod pocket;
 mod report;
 mod settings;
 mod skeleton;
+mod study;
 mod verify;
 
 use args::{Cli, Command};
@@ -40,6 +41,7 @@ fn run(command: &Command) -> Result<Exit, Failure> {
         Command::Offset(args) => offset::run(args)?,
         Command::Skeleton(args) => skeleton::run(args)?,
         Command::Verify(args) => verify::run(args)?,
+        Command::Study(args) => study::run(args)?,
         Command::Info(args) => info::run(args)?,
     }
     Ok(Exit::Done)

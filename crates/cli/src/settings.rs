@@ -1,6 +1,6 @@
 //! What was typed becomes what is to be done: defaults, percentages and limits resolved, one [`Setup`] a region.
 
-use crate::args::{CutArgs, MachineArgs, Stepover};
+use crate::args::{Boundary, CutArgs, MachineArgs, Stepover};
 use crate::failure::Failure;
 use pocketry_cam::PocketJob;
 use pocketry_io::post::OutputUnit;
@@ -19,6 +19,10 @@ pub(crate) struct Settings {
 pub(crate) struct Setup {
     pub(crate) job: PocketJob,
     pub(crate) unit: OutputUnit,
+    /// What the drawing's curves are.
+    pub(crate) boundary: Boundary,
+    /// Nobody has asked for a stepover: the quickest is chosen.
+    pub(crate) any_stepover: bool,
 }
 
 impl Settings {
@@ -33,10 +37,11 @@ impl Settings {
         })?;
         let usual = PocketJob::for_diameter(diameter);
         let stepdown = self.cut.stepdown.unwrap_or(usual.stepdown);
+        let asked = self.stepover(diameter, file_interval);
         let job = PocketJob {
             tool: Tool { diameter, number: self.machine.tool_number },
             stock: Stock { top: self.cut.top, depth: self.cut.depth.unwrap_or(stepdown) },
-            stepover: self.stepover(diameter, file_interval).unwrap_or(usual.stepover),
+            stepover: asked.unwrap_or(usual.stepover),
             cleanup: !self.cut.no_cleanup,
             stock_to_leave: self.cut.stock_to_leave,
             stepdown,
@@ -45,7 +50,12 @@ impl Settings {
             feeds: self.feeds(),
             entry: usual.entry,
         };
-        Ok(Setup { job, unit: if self.machine.inch { OutputUnit::Inch } else { OutputUnit::Millimetre } })
+        Ok(Setup {
+            job,
+            unit: if self.machine.inch { OutputUnit::Inch } else { OutputUnit::Millimetre },
+            boundary: self.cut.boundary,
+            any_stepover: asked.is_none() && !self.cut.no_cleanup,
+        })
     }
 
     /// What was asked for, mm: typed, else in the file.

@@ -61,7 +61,8 @@ fn compare(region: &Region, distances: &[f64], straight: bool) -> Result<(), Str
     let exact = VoronoiEngine.offsets(region, &around, &options).map_err(|e| e.to_string())?;
     for (k, b) in pairwise.iter().enumerate() {
         inside(&exact[2 * k], b).map_err(|p| format!("at {}: exact d + ε is outside pairwise at {p:?}", b.distance))?;
-        inside(b, &exact[2 * k + 1]).map_err(|p| format!("at {}: pairwise is outside exact d - ε at {p:?}", b.distance))?;
+        inside(b, &exact[2 * k + 1])
+            .map_err(|p| format!("at {}: pairwise is outside exact d - ε at {p:?}", b.distance))?;
     }
     Ok(())
 }

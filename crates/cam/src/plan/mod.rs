@@ -18,6 +18,7 @@ mod cleanup;
 mod levels;
 mod moves;
 mod order;
+mod quickest;
 mod report;
 mod track;
 
@@ -32,6 +33,7 @@ use pocketry_geom::skeleton::trees::Trees;
 pub(crate) use track::{Cut, Landing, Track};
 
 pub use cleanup::{Cleanup, Uncut};
+pub use quickest::quickest;
 pub use report::{EntryKind, Group, Link, LinkKind, Plan, PlanError, PlannedLoop, Warning};
 
 /// More loops or passes than this are a slip of the finger.

@@ -142,7 +142,9 @@ impl<'a> Orderer<'a> {
         self.fans.around(peak).find_map(|e| {
             let site = self.skeleton.site(e);
             let step = towards(self.skeleton.sites()[site as usize].shape, vertex.point);
-            self.landing(vertex.point + step * (vertex.clearance - track.distance), site, track.level, &|t| tracks.contains(&t))
+            self.landing(vertex.point + step * (vertex.clearance - track.distance), site, track.level, &|t| {
+                tracks.contains(&t)
+            })
         })
     }
 

@@ -1,7 +1,7 @@
 //! Step 2: every place of a piece led to its nearest root.
 
 use super::{Piece, Place, Way};
-use pocketry_geom::{Point, Segment};
+use pocketry_geom::Segment;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -58,8 +58,7 @@ impl Forest {
                     cost[far as usize] = through;
                     way_of[far as usize] = w;
                     let segment = if way.ends[0] == at { way.segment } else { way.segment.reversed() };
-                    forest.nodes[far as usize] =
-                        Node { parent: at, way: Some(segment), ..forest.nodes[far as usize] };
+                    forest.nodes[far as usize] = Node { parent: at, way: Some(segment), ..forest.nodes[far as usize] };
                     // The bits of a number that is not negative are ordered like the number.
                     heap.push(Reverse((through.to_bits(), far)));
                 }
@@ -88,11 +87,6 @@ impl Forest {
                 self.nodes.push(Node { place, parent: end, way: Some(half) });
             }
         }
-    }
-
-    /// The place of a root.
-    pub(crate) fn start(&self, root: u32) -> Point {
-        self.nodes[root as usize].place.at
     }
 }
 

@@ -32,7 +32,8 @@ pub(super) fn gather(skeleton: &Skeleton, orderer: &Orderer<'_>, distances: &[f6
     for same in parts.chunk_by(|a, b| a.0 == b.0) {
         let level = same[0].0;
         let high = distances.get(level + 1).copied().unwrap_or(f64::INFINITY);
-        let range = Range { skeleton, orderer, level, base: distances[level], low: distances[level] + radius, high, radius };
+        let range =
+            Range { skeleton, orderer, level, base: distances[level], low: distances[level] + radius, high, radius };
         range.gather(same, &mut gathered);
     }
     gathered
@@ -118,7 +119,11 @@ struct Named {
 impl Range<'_> {
     fn gather(&self, parts: &[(usize, Part)], gathered: &mut Gathered) {
         for named in self.pieces(parts) {
-            let found = if named.piece.roots.is_empty() { self.center(&named).into_iter().collect() } else { self.rooted(&named.piece) };
+            let found = if named.piece.roots.is_empty() {
+                self.center(&named).into_iter().collect()
+            } else {
+                self.rooted(&named.piece)
+            };
             for (track, insertion) in found {
                 let length = insertion.tour.iter().map(Segment::length).sum();
                 let start = insertion.tour[0].start();
@@ -257,7 +262,8 @@ impl Range<'_> {
 
     /// Whether clearance need not be convex along an edge: a site is an arc seen from inside.
     fn is_hollow(&self, e: EdgeId) -> bool {
-        let hollow = |e| matches!(self.skeleton.sites()[self.skeleton.site(e) as usize].shape, SiteShape::Arc(a) if a.ccw);
+        let hollow =
+            |e| matches!(self.skeleton.sites()[self.skeleton.site(e) as usize].shape, SiteShape::Arc(a) if a.ccw);
         hollow(e) || hollow(Skeleton::twin(e))
     }
 

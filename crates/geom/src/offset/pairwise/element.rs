@@ -5,6 +5,17 @@ use crate::point::{Point, Vec2};
 use crate::segment::{Arc, Line, Segment};
 use crate::tolerance::pairwise::SMOOTH_TURN;
 
+/// How two elements in a row join.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Joint {
+    /// Their offsets overlap.
+    Convex,
+    /// Their offsets touch, up to rounding.
+    Smooth,
+    /// Their offsets touch: one of them is a reflex vertex.
+    Reflex,
+}
+
 /// A straight segment, or a reflex vertex (then both ends are the same).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Element {
@@ -16,8 +27,8 @@ pub(super) struct Element {
     pub(super) n1: Vec2,
     /// Number among all elements of the region.
     pub(super) number: u32,
-    /// Whether the joint with the element after it is convex: their offsets overlap there.
-    pub(super) convex: bool,
+    /// How the element after it joins it.
+    pub(super) joint: Joint,
 }
 
 impl Element {
@@ -69,8 +80,8 @@ pub(super) fn of_contour(contour: &Contour, first: &mut u32) -> Vec<Element> {
         .filter(|l| l.2.length_squared() > 0.0)
         .collect();
     let mut elements = Vec::with_capacity(lines.len() + lines.len() / 2);
-    let mut push = |start, end, n0, n1, convex| {
-        elements.push(Element { start, end, n0, n1, number: *first, convex });
+    let mut push = |start, end, n0, n1, joint| {
+        elements.push(Element { start, end, n0, n1, number: *first, joint });
         *first += 1;
     };
     for (k, &(start, end, n)) in lines.iter().enumerate() {
@@ -78,9 +89,11 @@ pub(super) fn of_contour(contour: &Contour, first: &mut u32) -> Vec<Element> {
         let turn = n.cross(after);
         // A spike that turns back on itself is an end of the wall: its vertex is reflex.
         let reflex = turn < -SMOOTH_TURN || (turn <= SMOOTH_TURN && n.dot(after) < 0.0);
-        push(start, end, n, n, !reflex);
+        let smooth = turn.abs() <= SMOOTH_TURN;
+        let open = if smooth { Joint::Smooth } else { Joint::Convex };
+        push(start, end, n, n, if reflex { Joint::Reflex } else { open });
         if reflex {
-            push(end, end, n, after, false);
+            push(end, end, n, after, Joint::Reflex);
         }
     }
     elements

@@ -40,7 +40,8 @@ pub(super) fn loops(
     let pieces = Pieces::new(curves);
     let crossings = pieces.crossings();
     let events = events(&pieces, &crossings);
-    let judge = Judge { pieces: &pieces, crossings: &crossings, events: &events, d, walls, tolerance: CLEARANCE * size };
+    let judge =
+        Judge { pieces: &pieces, crossings: &crossings, events: &events, d, walls, tolerance: CLEARANCE * size };
     let runs = judge.runs();
     let mut traced = Vec::new();
     for closed in &runs.whole {

@@ -10,9 +10,10 @@
 //! Every test closes a joint or takes an element out: O(n).
 
 use super::Interference;
-use super::element::Element;
+use super::element::{Element, Joint};
 use crate::point::{Point, Vec2};
 use crate::segment::Segment;
+use crate::tolerance::COORDINATE_ROUNDOFF;
 use crate::tolerance::pairwise::{SMOOTH_TURN, WITHIN};
 
 /// A piece of a raw curve.
@@ -53,22 +54,38 @@ struct Ring<'a> {
     starts: Vec<Point>,
     ends: Vec<Point>,
     left: usize,
+    /// How far rounding may put a point beyond the end of a piece.
+    slack: f64,
 }
 
 impl<'a> Ring<'a> {
     fn new(elements: &'a [Element], d: f64) -> Self {
         let n = elements.len() as u32;
-        Self {
+        let largest = elements.iter().map(|e| e.start.x.abs().max(e.start.y.abs())).fold(0.0, f64::max);
+        let mut ring = Self {
             elements,
             d,
             before: (0..n).map(|k| (k + n - 1) % n).collect(),
             after: (0..n).map(|k| (k + 1) % n).collect(),
             alive: vec![true; elements.len()],
-            closed: elements.iter().map(|e| !e.convex).collect(),
+            closed: elements.iter().map(|e| e.joint != Joint::Convex).collect(),
             met: vec![false; elements.len()],
             starts: elements.iter().map(|e| e.offset_start(d)).collect(),
             ends: elements.iter().map(|e| e.offset_end(d)).collect(),
             left: elements.len(),
+            slack: COORDINATE_ROUNDOFF * (d + largest),
+        };
+        ring.smooth();
+        ring
+    }
+
+    /// At smooth joints the two normals are one.
+    fn smooth(&mut self) {
+        for k in (0..self.elements.len()).filter(|&k| self.elements[k].joint == Joint::Smooth) {
+            let n = self.after[k] as usize;
+            if let Some(x) = corner(&self.elements[k], &self.elements[n], self.d) {
+                (self.ends[k], self.starts[n]) = (x, x);
+            }
         }
     }
 
@@ -127,9 +144,9 @@ impl<'a> Ring<'a> {
     fn meet(&self, p: usize, n: usize) -> Option<Point> {
         let (e, f) = (&self.elements[p], &self.elements[n]);
         let adjacent = (p + 1) % self.elements.len() == n;
-        let x = if adjacent && e.convex { corner(e, f, self.d)? } else { crossing(e, f, self.d)? };
-        let on_first = extends(e, self.starts[p], self.ends[p], x);
-        (on_first && extends(f, self.starts[n], self.ends[n], x)).then_some(x)
+        let x = if adjacent && e.joint != Joint::Reflex { corner(e, f, self.d)? } else { crossing(e, f, self.d)? };
+        let on_first = extends(e, self.starts[p], self.ends[p], x, self.slack);
+        (on_first && extends(f, self.starts[n], self.ends[n], x, self.slack)).then_some(x)
     }
 
     fn curve(&self, removed: &mut Vec<Interference>) -> Option<Vec<RawPiece>> {
@@ -196,12 +213,13 @@ fn line_and_circle(on: Point, along: Vec2, center: Point, radius: f64) -> Option
 }
 
 /// Whether a point of an element's line or circle lies between two points of its offset.
-fn extends(e: &Element, start: Point, end: Point, x: Point) -> bool {
+fn extends(e: &Element, start: Point, end: Point, x: Point, slack: f64) -> bool {
     if e.is_vertex() {
         let [a, b, o] = [start, end, x].map(|p| p - e.start);
-        a.cross(o) <= 0.0 && o.cross(b) <= 0.0
+        let off = slack * o.length();
+        a.cross(o) <= off && o.cross(b) <= off
     } else {
         let u = e.along();
-        (x - start).dot(u) >= 0.0 && (end - x).dot(u) >= 0.0
+        (x - start).dot(u) >= -slack && (end - x).dot(u) >= -slack
     }
 }

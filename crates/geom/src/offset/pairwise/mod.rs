@@ -149,7 +149,8 @@ impl Source {
                 Err(why) => reason = why,
             }
         }
-        let reason = format!("the raw curves at {distance} mm contradict themselves ({reason}); use the voronoi engine");
+        let reason =
+            format!("the raw curves at {distance} mm contradict themselves ({reason}); use the voronoi engine");
         Err(OffsetError::Region { engine: PairwiseEngine.name(), reason })
     }
 
