@@ -163,10 +163,10 @@ fn leaves_nothing(region: &Region, plan: &Plan, radius: f64) -> bool {
 fn corners_centres_and_necks_are_cleaned_up_at_any_stepover() {
     let funnel = [
         [0.0, 0.0, 0.0],
-        [60.0, 20.0, 0.0],
+        [60.0, 17.0, 0.0],
         [120.0, 0.0, 0.0],
         [120.0, 60.0, 0.0],
-        [60.0, 40.0, 0.0],
+        [60.0, 43.0, 0.0],
         [0.0, 60.0, 0.0],
     ];
     let disc = [[17.0, 0.0, 1.0], [-17.0, 0.0, 1.0]];

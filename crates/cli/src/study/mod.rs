@@ -74,7 +74,7 @@ fn row(drawing: &Drawing, skeleton: &Skeleton, setup: &Setup, stepover: f64, cle
         stepover: plan.stepover,
         cleanup,
         length: figures.cut_length,
-        cleanup_length: plan.passes as f64 * plan.cleanups.iter().map(|c| c.length).sum::<f64>(),
+        cleanup_length: plan.passes as f64 * plan.cleanups.iter().fold(0.0, |sum, c| sum + c.length),
         seconds: figures.machine_seconds,
         retracts: figures.retracts,
         loops: plan.loops.len(),

@@ -15,6 +15,7 @@ use crate::segment::Segment;
 use crate::skeleton::NONE;
 use crate::tolerance::OFFSET_DROP;
 use crate::tolerance::pairwise::CLEARANCE;
+use std::collections::HashSet;
 
 /// Short runs that follow one another.
 const SETTLINGS: usize = 3;
@@ -43,19 +44,20 @@ pub(super) fn loops(
     let judge =
         Judge { pieces: &pieces, crossings: &crossings, events: &events, d, walls, tolerance: CLEARANCE * size };
     let runs = judge.runs();
-    let mut traced = Vec::new();
+    let mut traced: Vec<Vec<(Segment, u32)>> = Vec::new();
     for closed in &runs.whole {
         traced.push(pieces.all[closed.clone()].iter().map(|p| (p.segment, p.element)).collect());
     }
     traced.extend(judge.trace(&runs.valid)?);
-    if !crossings.is_empty() {
-        interferences.retain(|i| walls.distance(i.degenerate) >= d - CLEARANCE * size);
-    }
     for (e, _) in events.iter().zip(&runs.valid).filter(|&(e, &valid)| !e.below && valid) {
         let c = &crossings[e.crossing as usize];
         let foot = |piece: u32| pieces.all[piece as usize].source.foot(c.at);
         interferences.push(Interference { local: false, degenerate: c.at, from: foot(c.below), to: foot(c.above) });
     }
+    // A range is one of this offset only if a loop has the vertex that it collapsed to.
+    let bits = |p: Point| (p.x.to_bits(), p.y.to_bits());
+    let kept: HashSet<_> = traced.iter().flatten().map(|(s, _)| bits(s.end())).collect();
+    interferences.retain(|i| kept.contains(&bits(i.degenerate)));
     let loops = traced.into_iter().filter_map(|t| assemble(t, OFFSET_DROP * size)).collect();
     Ok(PairwiseOffset { offset: Offset { distance: d, loops, degenerate: Vec::new() }, interferences })
 }
