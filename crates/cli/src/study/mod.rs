@@ -112,6 +112,8 @@ fn table(rows: &[Row]) -> String {
         out.push('\n');
     };
     line(&HEADINGS.map(str::to_owned));
-    rows.iter().for_each(|r| line(&cells(r)));
+    for row in rows {
+        line(&cells(row));
+    }
     out
 }
