@@ -11,6 +11,8 @@ pub mod plan;
 pub mod tools;
 
 pub use job::{Entry, PocketJob};
-pub use plan::{Cleanup, EntryKind, Group, Link, LinkKind, Plan, PlanError, PlannedLoop, Uncut, Warning, plan};
-pub use plan::{Strategy, StrategyCost, plan_subpockets, plans};
+pub use plan::{
+    Cleanup, EntryKind, Group, Link, LinkKind, Plan, PlanError, PlannedLoop, Uncut, Warning, plan, quickest,
+};
+pub use plan::{Strategy, StrategyCost, plan_subpockets, plans, quickest_plans};
 pub use tools::{Neck, Scallop, ToolChooser};

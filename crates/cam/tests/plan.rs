@@ -1,6 +1,6 @@
 //! Whole plans of small regions, judged by distances.
 
-use pocketry_cam::{EntryKind, LinkKind, Plan, PlanError, PocketJob, Warning, plan};
+use pocketry_cam::{EntryKind, LinkKind, Plan, PlanError, PocketJob, Uncut, Warning, plan, quickest};
 use pocketry_geom::distance::Boundary;
 use pocketry_geom::repair::{self, RepairOptions};
 use pocketry_geom::skeleton::Skeleton;
@@ -140,13 +140,68 @@ fn a_tool_that_fits_nowhere_is_told_what_would() {
 }
 
 #[test]
-fn stepovers_above_the_radius_are_clamped() {
+fn stepovers_above_the_diameter_are_clamped() {
     let region = region(&[&SQUARE]);
-    let job = PocketJob { stepover: 5.0, ..job(6.0) };
+    let job = PocketJob { stepover: 7.0, ..job(6.0) };
     let plan = planned(&region, &job).unwrap();
     assert_sound(&region, &plan, &job);
-    assert_eq!(plan.stepover, 3.0);
-    assert_eq!(plan.warnings, vec![Warning::StepoverClamped { asked: 5.0, used: 3.0 }]);
+    assert_eq!(plan.stepover, 2.0 * (3.0 - 1e-4));
+    assert_eq!(plan.warnings, vec![Warning::StepoverClamped { asked: 7.0, used: plan.stepover }]);
+}
+
+/// Whether every point with clearance of at least the tool's radius is swept.
+fn leaves_nothing(region: &Region, plan: &Plan, radius: f64) -> bool {
+    let (walls, paths, bbox) = (Boundary::new(region), paths(plan), region.bbox());
+    (0..6400).all(|k| {
+        let (i, j) = (f64::from(k % 80) / 79.0, f64::from(k / 80) / 79.0);
+        let p = point(bbox.min.x + i * bbox.width(), bbox.min.y + j * bbox.height());
+        !walls.contains(p) || walls.distance(p) < radius || paths.iter().any(|s| s.distance(p) <= radius + 1e-9)
+    })
+}
+
+#[test]
+fn corners_centres_and_necks_are_cleaned_up_at_any_stepover() {
+    let funnel = [
+        [0.0, 0.0, 0.0],
+        [60.0, 17.0, 0.0],
+        [120.0, 0.0, 0.0],
+        [120.0, 60.0, 0.0],
+        [60.0, 43.0, 0.0],
+        [0.0, 60.0, 0.0],
+    ];
+    let disc = [[18.5, 0.0, 1.0], [-18.5, 0.0, 1.0]];
+    for (shape, least) in [(&SQUARE[..], Uncut::Corner), (&funnel[..], Uncut::Neck), (&disc[..], Uncut::Center)] {
+        let region = region(&[shape]);
+        for share in [0.55, 0.75, 0.9, 0.999] {
+            let job = PocketJob { stepover: share * 6.0, ..job(6.0) };
+            let plan = planned(&region, &job).unwrap();
+            assert_sound(&region, &plan, &job);
+            assert!(leaves_nothing(&region, &plan, 3.0), "{least:?} at {share}");
+        }
+        let job = PocketJob { stepover: 5.6, ..job(6.0) };
+        let plan = planned(&region, &job).unwrap();
+        assert!(plan.cleanups.iter().any(|c| c.kind == least), "{least:?}: {:?}", plan.cleanups);
+        let bare = planned(&region, &PocketJob { cleanup: false, ..job }).unwrap();
+        // The entry's helix clears the disc's centre.
+        let left = least == Uncut::Center || !leaves_nothing(&region, &bare, 3.0);
+        assert!(bare.cleanups.is_empty() && left, "{least:?}");
+        assert_eq!(lifts(&bare, 0.0), lifts(&plan, 0.0));
+    }
+}
+
+#[test]
+fn up_to_the_radius_there_is_nothing_to_clean_up() {
+    let job = PocketJob { stepover: 2.9, ..job(6.0) };
+    assert!(planned(&region(&[&SQUARE]), &job).unwrap().cleanups.is_empty());
+}
+
+#[test]
+fn the_quickest_stepover_beats_the_usual_one() {
+    let (region, job) = (region(&[&SQUARE]), job(6.0));
+    let time = |p: &Plan| p.program.figures(&job.feeds, &job.stock).machine_seconds;
+    let best = quickest(&region, &Skeleton::build(&region).unwrap(), &job).unwrap();
+    assert!(time(&best) <= time(&planned(&region, &job).unwrap()));
+    assert!(leaves_nothing(&region, &best, 3.0));
 }
 
 #[test]

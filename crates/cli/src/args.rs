@@ -1,6 +1,6 @@
 //! What was typed. What it means is [`crate::settings`]'s affair.
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 use pocketry_io::import::Units;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -28,6 +28,8 @@ pub(crate) enum Command {
     Subpockets(SubpocketsArgs),
     /// Judge a program against a drawing: gouges, uncut material, rapid moves in the stock.
     Verify(VerifyArgs),
+    /// Show what the stepover does: length, time, lifts, uncut material, with and without clean-up.
+    Study(Box<StudyArgs>),
     /// Say what is in a drawing: contours, areas, the largest tool that fits.
     Info(InfoArgs),
 }
@@ -72,6 +74,55 @@ impl FromStr for Origin {
         }
         let parsed = text.split_once(',').and_then(|(x, y)| Some((finite(x)?, finite(y)?)));
         parsed.map(|(x, y)| Self::At(x, y)).ok_or_else(|| "expected drawing, center, lower-left or X,Y".to_owned())
+    }
+}
+
+/// What the curves of a drawing are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Boundary {
+    /// Walls, from which the tool's axis keeps its radius.
+    Walls,
+    /// Paths of the tool's axis.
+    Cl,
+}
+
+/// An engine that offsets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Engine {
+    /// Exact, from the Voronoi skeleton.
+    Voronoi,
+    /// By pair-wise interference detection; arcs become chords within 0.0001 mm.
+    Pairwise,
+}
+
+/// Stepovers from one to another, mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Stepovers {
+    from: Stepover,
+    to: Stepover,
+    steps: u32,
+}
+
+impl Stepovers {
+    /// Each of them, mm.
+    pub(crate) fn values(&self, diameter: f64) -> Vec<f64> {
+        let [a, b] = [self.from, self.to].map(|s| match s {
+            Stepover::Length(mm) => mm,
+            Stepover::OfDiameter(share) => share * diameter,
+        });
+        (0..=self.steps).map(|k| a + (b - a) * f64::from(k) / f64::from(self.steps.max(1))).collect()
+    }
+}
+
+impl FromStr for Stepovers {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (range, steps) = text.split_once('/').unwrap_or((text, "10"));
+        let steps = steps.trim().parse().map_err(|_| "expected a number of steps after the slash".to_owned())?;
+        let (from, to) = range.split_once("..").unwrap_or((range, range));
+        let steps = if from == to { 0 } else { steps };
+        Ok(Self { from: from.parse()?, to: to.parse()?, steps })
     }
 }
 
@@ -181,9 +232,12 @@ pub(crate) struct PocketArgs {
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Cutting")]
 pub(crate) struct CutArgs {
-    /// Distance between loops, mm or a percentage of the diameter, up to all of it [default: 45%].
+    /// Distance between loops, mm or a percentage of the diameter, up to all of it [default: the quickest].
     #[arg(long, value_name = "MM|%")]
     pub(crate) stepover: Option<Stepover>,
+    /// What the drawing's curves are: `walls`, or `cl` for tool paths (curves on a cutter-location surface).
+    #[arg(long, value_enum, default_value = "walls")]
+    pub(crate) boundary: Boundary,
     /// No detours to what loops more than the radius apart leave uncut: such programs are refused.
     #[arg(long)]
     pub(crate) no_cleanup: bool,
@@ -258,11 +312,38 @@ pub(crate) struct OffsetArgs {
     /// Distances from the walls, mm, separated by commas.
     #[arg(short, long, value_name = "MM,...", value_delimiter = ',', required = true, value_parser = positive)]
     pub(crate) distance: Vec<f64>,
+    /// The engine that computes the loops.
+    #[arg(long, value_enum, default_value = "voronoi")]
+    pub(crate) engine: Engine,
     /// File to write; its ending (.dxf, .svg, .json) says in which form [default: JSON to standard output].
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) drawing: DrawingArgs,
+}
+
+/// `pocketry study`.
+#[derive(Args, Debug)]
+pub(crate) struct StudyArgs {
+    /// The drawing: DXF, SVG or region JSON.
+    pub(crate) input: PathBuf,
+    /// Diameter of the tool, mm. Region JSON may hold its own radius.
+    #[arg(short, long, value_name = "MM", value_parser = positive)]
+    pub(crate) tool: Option<f64>,
+    /// Stepovers, mm or percentages of the diameter: first, last and (after a slash) how many steps.
+    #[arg(long = "stepover", value_name = "FROM..TO[/STEPS]", default_value = "45%..98%/10")]
+    pub(crate) stepovers: Stepovers,
+    /// Table to write (CSV).
+    #[arg(long, value_name = "FILE")]
+    pub(crate) csv: Option<PathBuf>,
+    /// Chart to write (SVG).
+    #[arg(long, value_name = "FILE")]
+    pub(crate) plot: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) drawing: DrawingArgs,
+    /// What the drawing's curves are: `walls`, or `cl` for tool paths (curves on a cutter-location surface).
+    #[arg(long, value_enum, default_value = "walls")]
+    pub(crate) boundary: Boundary,
 }
 
 /// `pocketry skeleton`.
@@ -341,6 +422,9 @@ mod tests {
     fn stepovers_and_origins_are_read() {
         assert_eq!("45%".parse(), Ok(Stepover::OfDiameter(0.45)));
         assert_eq!("2.5".parse(), Ok(Stepover::Length(2.5)));
+        assert_eq!("10..20/4".parse::<Stepovers>().unwrap().values(20.0), [10.0, 12.5, 15.0, 17.5, 20.0]);
+        assert_eq!("75%".parse::<Stepovers>().unwrap().values(20.0), [15.0]);
+        assert!("10..x".parse::<Stepovers>().is_err() && "10..20/x".parse::<Stepovers>().is_err());
         assert!("-1".parse::<Stepover>().is_err() && "nan".parse::<Stepover>().is_err());
         assert_eq!("-3, 4.5".parse(), Ok(Origin::At(-3.0, 4.5)));
         assert!("1".parse::<Origin>().is_err() && "inf,0".parse::<Origin>().is_err());

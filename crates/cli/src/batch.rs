@@ -80,11 +80,11 @@ fn program(
     settings: &Settings,
     report: &mut JobReport,
 ) -> Result<(), Failure> {
-    let drawing = drawing::parse(&line.text, &args.drawing).map_err(|mut failure| {
+    let mut drawing = drawing::parse(&line.text, &args.drawing).map_err(|mut failure| {
         failure.message = format!("{}:{}: {}", args.input.display(), line.line, failure.message);
         failure
     })?;
-    let proven = job::run(&drawing, settings, report)?;
+    let proven = job::run(&mut drawing, settings, report)?;
     let path: PathBuf = folder.join(file_name(&report.id));
     write_file(&path, &proven.text)?;
     report.program = Some(path.display().to_string());

@@ -1,10 +1,13 @@
 //! The walk from a region to a proven program. No files, no clock: the same for a single job and for a batch.
 
+use crate::args::Boundary;
 use crate::console::{duration, figure};
 use crate::failure::{Exit, Failure};
 use crate::report::{Details, JobReport, NOT_PROVEN, Status};
 use crate::settings::{Settings, Setup};
 use pocketry_cam::{Plan, PlanError, PocketJob, ToolChooser};
+use pocketry_geom::offset::{VoronoiEngine, outward};
+use pocketry_geom::repair::{RepairOptions, build};
 use pocketry_geom::skeleton::Skeleton;
 use pocketry_io::import::Drawing;
 use pocketry_io::post::{Dialect, LinuxCnc, PostError, PostOptions};
@@ -21,13 +24,26 @@ pub(crate) struct Proven {
     pub(crate) proof: pocketry_verify::Report,
 }
 
+/// Area curves that already are tool paths become the walls that such paths keep clear of: the region grows by the tool's radius
+/// and what is left on walls. (Where that closes a gap, the tool would not fit between the two sides of a wall.)
+pub(crate) fn to_walls(drawing: &mut Drawing, setup: &Setup) -> Result<(), Failure> {
+    if setup.boundary == Boundary::Walls {
+        return Ok(());
+    }
+    let failed = |e: &dyn std::fmt::Display| Failure::new(Exit::NotProven, "offset", e);
+    let contours = outward(&VoronoiEngine, &drawing.region, setup.job.first_distance()).map_err(|e| failed(&e))?;
+    drawing.region = build(contours, &RepairOptions::default()).map_err(|e| failed(&e))?.region;
+    Ok(())
+}
+
 /// Plans, posts and proves. What is found on the way goes into `report`, failure or not.
-pub(crate) fn run(drawing: &Drawing, settings: &Settings, report: &mut JobReport) -> Result<Proven, Failure> {
+pub(crate) fn run(drawing: &mut Drawing, settings: &Settings, report: &mut JobReport) -> Result<Proven, Failure> {
     report.warnings.extend(drawing.warnings.iter().map(ToString::to_string));
     let typed =
         settings.choice().is_none().then(|| settings.resolve(drawing.tool_radius, drawing.interval)).transpose()?;
     if let Some(setup) = &typed {
         report.set_setup(setup);
+        to_walls(drawing, setup)?;
     }
 
     let region = &drawing.region;
@@ -37,7 +53,8 @@ pub(crate) fn run(drawing: &Drawing, settings: &Settings, report: &mut JobReport
         None => chosen(&skeleton, settings)?,
     };
     report.set_setup(&setup);
-    let plans = pocketry_cam::plans(region, &skeleton, &setup.job, setup.strategy).map_err(|e| plan_failure(&e))?;
+    let planner = if setup.any_stepover { pocketry_cam::quickest_plans } else { pocketry_cam::plans };
+    let plans = planner(region, &skeleton, &setup.job, setup.strategy).map_err(|e| plan_failure(&e))?;
     report.strategies = plans.iter().map(|p| p.1).collect();
     // The best one, unless only the other can be proven.
     let mut first: Option<(Attempt, JobReport)> = None;
@@ -66,6 +83,9 @@ pub(crate) fn run(drawing: &Drawing, settings: &Settings, report: &mut JobReport
 /// The setup for the largest of the tools at hand whose scallops are small enough.
 fn chosen(skeleton: &Skeleton, settings: &Settings) -> Result<Setup, Failure> {
     let (tools, scallop) = settings.choice().unwrap_or_default();
+    if settings.cut.boundary == Boundary::Cl {
+        return Err(Failure::arguments("--tool auto looks at walls; with --boundary cl name the tool"));
+    }
     let usual = settings.resolve_for(tools.iter().copied().fold(f64::INFINITY, f64::min), None)?;
     let chooser = ToolChooser::new(skeleton);
     let largest =
@@ -102,7 +122,7 @@ pub(crate) fn attempt(
     Ok(Attempt { plan, figures, text, proof })
 }
 
-fn plan_failure(error: &PlanError) -> Failure {
+pub(crate) fn plan_failure(error: &PlanError) -> Failure {
     let (exit, kind) = match error {
         PlanError::DoesNotFit { .. } => (Exit::BadInput, "does-not-fit"),
         PlanError::Job { .. } => (Exit::BadInput, "arguments"),
@@ -112,7 +132,7 @@ fn plan_failure(error: &PlanError) -> Failure {
     Failure::new(exit, kind, error)
 }
 
-fn write(plan: &Plan, figures: &Figures, setup: &Setup, id: &str) -> Result<String, Failure> {
+pub(crate) fn write(plan: &Plan, figures: &Figures, setup: &Setup, id: &str) -> Result<String, Failure> {
     plan.program.check(&setup.job.stock).map_err(|e| Failure::new(Exit::NotProven, "program", e))?;
     let mut options = PostOptions::for_tool(setup.job.tool, setup.job.feeds, setup.unit);
     options.header = header(id, &setup.job, plan, figures);
@@ -128,7 +148,7 @@ fn post_failure(error: &PostError) -> Failure {
     Failure::new(exit, kind, error)
 }
 
-fn prove(drawing: &Drawing, setup: &Setup, text: &str) -> Result<pocketry_verify::Report, Failure> {
+pub(crate) fn prove(drawing: &Drawing, setup: &Setup, text: &str) -> Result<pocketry_verify::Report, Failure> {
     let options = VerifyOptions {
         stock_to_leave: setup.job.stock_to_leave,
         top: setup.job.stock.top,

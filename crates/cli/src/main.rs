@@ -14,6 +14,7 @@ mod pocket;
 mod report;
 mod settings;
 mod skeleton;
+mod study;
 mod subpockets;
 mod toolbox;
 mod verify;
@@ -43,6 +44,7 @@ fn run(command: &Command) -> Result<Exit, Failure> {
         Command::Skeleton(args) => skeleton::run(args)?,
         Command::Subpockets(args) => subpockets::run(args)?,
         Command::Verify(args) => verify::run(args)?,
+        Command::Study(args) => study::run(args)?,
         Command::Info(args) => info::run(args)?,
     }
     Ok(Exit::Done)

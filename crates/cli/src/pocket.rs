@@ -18,12 +18,12 @@ pub(crate) fn run(args: &PocketArgs) -> Result<(), Failure> {
     let begun = Instant::now();
     let target = args.output.clone().unwrap_or_else(|| args.input.with_extension("ngc"));
     check_targets(args, &target)?;
-    let drawing = drawing::read(&args.input, &args.drawing)?;
+    let mut drawing = drawing::read(&args.input, &args.drawing)?;
     let name =
         drawing.id.clone().unwrap_or_else(|| args.input.file_name().unwrap_or_default().to_string_lossy().into_owned());
     let mut report = JobReport::named(name);
     let settings = Settings::new(args.tool, args.cut.clone(), args.machine.clone());
-    let result = job::run(&drawing, &settings, &mut report);
+    let result = job::run(&mut drawing, &settings, &mut report);
     console::warnings(&report.warnings);
     let proven = result?;
 

@@ -1,6 +1,6 @@
 //! What was typed becomes what is to be done: defaults, percentages and limits resolved, one [`Setup`] a region.
 
-use crate::args::{CutArgs, MachineArgs, Stepover, StrategyArg, ToolArg};
+use crate::args::{Boundary, CutArgs, MachineArgs, Stepover, StrategyArg, ToolArg};
 use crate::failure::Failure;
 use pocketry_cam::{PocketJob, Strategy};
 use pocketry_io::post::OutputUnit;
@@ -10,7 +10,7 @@ use pocketry_motion::{Direction, Feeds, Heights, Stock, Tool};
 #[derive(Clone, Debug)]
 pub(crate) struct Settings {
     tool: Option<ToolArg>,
-    cut: CutArgs,
+    pub(crate) cut: CutArgs,
     machine: MachineArgs,
 }
 
@@ -20,6 +20,10 @@ pub(crate) struct Setup {
     pub(crate) job: PocketJob,
     pub(crate) strategy: Strategy,
     pub(crate) unit: OutputUnit,
+    /// What the drawing's curves are.
+    pub(crate) boundary: Boundary,
+    /// Nobody has asked for a stepover: the quickest is chosen.
+    pub(crate) any_stepover: bool,
 }
 
 impl Settings {
@@ -48,10 +52,11 @@ impl Settings {
     pub(crate) fn resolve_for(&self, diameter: f64, file_interval: Option<f64>) -> Result<Setup, Failure> {
         let usual = PocketJob::for_diameter(diameter);
         let stepdown = self.cut.stepdown.unwrap_or(usual.stepdown);
+        let asked = self.stepover(diameter, file_interval);
         let job = PocketJob {
             tool: Tool { diameter, number: self.machine.tool_number },
             stock: Stock { top: self.cut.top, depth: self.cut.depth.unwrap_or(stepdown) },
-            stepover: self.stepover(diameter, file_interval).unwrap_or(usual.stepover),
+            stepover: asked.unwrap_or(usual.stepover),
             cleanup: !self.cut.no_cleanup,
             stock_to_leave: self.cut.stock_to_leave,
             stepdown,
@@ -65,7 +70,13 @@ impl Settings {
             StrategyArg::Contour => Strategy::Contour,
             StrategyArg::Subpockets => Strategy::Subpockets,
         };
-        Ok(Setup { job, strategy, unit: if self.machine.inch { OutputUnit::Inch } else { OutputUnit::Millimetre } })
+        Ok(Setup {
+            job,
+            strategy,
+            unit: if self.machine.inch { OutputUnit::Inch } else { OutputUnit::Millimetre },
+            boundary: self.cut.boundary,
+            any_stepover: asked.is_none() && !self.cut.no_cleanup,
+        })
     }
 
     /// What was asked for, mm: typed, else in the file.

@@ -1,5 +1,6 @@
 //! The table of tools of `pocketry info`.
 
+use crate::args::Boundary;
 use crate::console::{duration, figure};
 use crate::failure::{Exit, Failure};
 use crate::job;
@@ -57,7 +58,13 @@ fn row(drawing: &Drawing, skeleton: &Skeleton, chooser: &ToolChooser<'_>, diamet
         Err(PlanError::DoesNotFit { .. }) => return Ok(info),
         other => other.map_err(|e| Failure::new(Exit::NotProven, "plan", e))?,
     };
-    let setup = Setup { job, strategy: Strategy::Auto, unit: OutputUnit::Millimetre };
+    let setup = Setup {
+        job,
+        strategy: Strategy::Auto,
+        unit: OutputUnit::Millimetre,
+        boundary: Boundary::Walls,
+        any_stepover: false,
+    };
     if let Some((plan, cost)) = plans.into_iter().next() {
         let attempt = job::attempt(drawing, &setup, plan, &mut JobReport::named(String::new()))?;
         info.reachable = Some(attempt.proof.reachable_area / attempt.proof.region_area);

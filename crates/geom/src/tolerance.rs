@@ -148,6 +148,27 @@ pub const LANDING: f64 = 1e-6;
 /// offsets may be off, of which an arc could turn round.
 pub const LANDING_SNAP: f64 = 1e-8;
 
+/// Tolerances of the pair-wise offset engine.
+pub mod pairwise {
+    /// Sine of the turn between segments below which a joint is smooth: its two normals are one.
+    pub const SMOOTH_TURN: f64 = 1e-12;
+
+    /// By how much, as a part of the distance, a point must be nearer to a wall to be within its reach: some thousand times the
+    /// rounding of distances, so that a point that two offsets share is not taken for one.
+    pub const WITHIN: f64 = 1e-12;
+
+    /// Raw curves farther from the boundary than the distance less this are on the offset, *relative*: below what an
+    /// offset may be off, above the rounding of crossings.
+    pub const CLEARANCE: f64 = 2e-8;
+
+    /// Step by which the distance grows where raw curves contradict themselves, *relative*: above the rounding that
+    /// makes them, and with all attempts still far below what an offset may be off.
+    pub const PERTURBATION: f64 = 1e-9;
+
+    /// How often it may grow.
+    pub const ATTEMPTS: u32 = 12;
+}
+
 /// Tolerances of the proof of a written program.
 pub mod proof {
     /// A program may gouge by no more than this part of the tool's radius, where that is less than [`GOUGE`](super::GOUGE).

@@ -7,6 +7,7 @@ pub mod corpus;
 pub mod graph;
 pub mod minimise;
 pub mod picture;
+pub mod sequences;
 pub mod shapes;
 pub mod strategies;
 pub mod transform;

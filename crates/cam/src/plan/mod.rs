@@ -21,6 +21,7 @@ mod cleanup;
 mod levels;
 mod moves;
 mod order;
+mod quickest;
 mod report;
 mod strategy;
 mod subpockets;
@@ -38,10 +39,10 @@ use pocketry_geom::skeleton::trees::Trees;
 pub(crate) use track::{Cut, Landing, Track};
 
 pub use cleanup::{Cleanup, Uncut};
-pub use strategy::{Strategy, StrategyCost, plans};
-pub use subpockets::plan_subpockets;
-
+pub use quickest::quickest;
 pub use report::{EntryKind, Group, Link, LinkKind, Plan, PlanError, PlannedLoop, Warning};
+pub use strategy::{Strategy, StrategyCost, plans, quickest_plans};
+pub use subpockets::plan_subpockets;
 
 /// More loops or passes than this are a slip of the finger.
 const MOST_LEVELS: f64 = 100_000.0;

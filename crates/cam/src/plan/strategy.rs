@@ -1,6 +1,6 @@
 //! Which of the two tool paths.
 
-use super::{Plan, PlanError, plan, plan_subpockets};
+use super::{Plan, PlanError, plan, plan_subpockets, quickest};
 use crate::job::PocketJob;
 use pocketry_geom::Region;
 use pocketry_geom::skeleton::Skeleton;
@@ -67,11 +67,35 @@ pub fn plans(
         Strategy::Subpockets => vec![plan_subpockets(region, skeleton, job)?],
         Strategy::Auto => vec![plan(region, skeleton, job)?, plan_subpockets(region, skeleton, job)?],
     };
+    Ok(costed(plans, job))
+}
+
+/// The same where nobody has asked for a stepover: tool path I at the quickest one, tool path II at the widest that it
+/// takes.
+///
+/// # Errors
+/// As [`plan`].
+pub fn quickest_plans(
+    region: &Region,
+    skeleton: &Skeleton,
+    job: &PocketJob,
+    strategy: Strategy,
+) -> Result<Vec<(Plan, StrategyCost)>, PlanError> {
+    let widest = PocketJob { stepover: job.tool.radius(), ..job.clone() };
+    let plans = match strategy {
+        Strategy::Contour => vec![quickest(region, skeleton, job)?],
+        Strategy::Subpockets => vec![plan_subpockets(region, skeleton, &widest)?],
+        Strategy::Auto => vec![quickest(region, skeleton, job)?, plan_subpockets(region, skeleton, &widest)?],
+    };
+    Ok(costed(plans, job))
+}
+
+fn costed(plans: Vec<Plan>, job: &PocketJob) -> Vec<(Plan, StrategyCost)> {
     let cost = |plan: Plan| {
         let cost = StrategyCost::of(&plan, job);
         (plan, cost)
     };
     let mut plans: Vec<(Plan, StrategyCost)> = plans.into_iter().map(cost).collect();
     plans.sort_by(|a, b| a.1.machine_seconds.total_cmp(&b.1.machine_seconds));
-    Ok(plans)
+    plans
 }

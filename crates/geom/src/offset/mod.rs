@@ -5,6 +5,8 @@
 //! [`Region`]: counter-clockwise around what remains, clockwise around what does not, the remaining
 //! pocket to the left of travel. Loops may touch at points: two loops meet at a pass whose clearance is exactly `d`.
 
+pub mod outward;
+pub mod pairwise;
 pub mod voronoi;
 
 use crate::contour::Contour;
@@ -14,6 +16,8 @@ use crate::segment::Segment;
 use crate::skeleton::{EdgeId, SiteId};
 use crate::tolerance::{FIT_SLACK, FIT_SLACK_SHARE};
 
+pub use outward::outward;
+pub use pairwise::{Interference, PairwiseEngine, PairwiseOffset};
 pub use voronoi::{EdgeCurve, VoronoiEngine, VoronoiOffsetter, upward};
 
 /// An algorithm that offsets regions.

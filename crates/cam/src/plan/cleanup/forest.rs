@@ -1,7 +1,7 @@
 //! Step 2: every place of a piece led to its nearest root.
 
 use super::{Piece, Place, Way};
-use pocketry_geom::{Point, Segment};
+use pocketry_geom::Segment;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -87,11 +87,6 @@ impl Forest {
                 self.nodes.push(Node { place, parent: end, way: Some(half) });
             }
         }
-    }
-
-    /// The place of a root.
-    pub(crate) fn start(&self, root: u32) -> Point {
-        self.nodes[root as usize].place.at
     }
 }
 

@@ -200,8 +200,11 @@ impl Range<'_> {
     /// being too short. None if the edge does not span the distance, or the whole loop is dropped.
     fn crossing(&self, up: EdgeId) -> Option<(u32, u32)> {
         let spans = self.skeleton.origin_clearance(up) <= self.high && self.high < self.skeleton.target_clearance(up);
+        if !spans {
+            return None;
+        }
         let mut at = up;
-        while spans {
+        loop {
             if let Some(&found) = self.orderer.crossings.get(&(self.level + 1, at)) {
                 return Some(found);
             }
@@ -211,10 +214,9 @@ impl Range<'_> {
             }
             at = Skeleton::twin(e);
             if at == up {
-                break;
+                return None;
             }
         }
-        None
     }
 
     fn add_node(&self, named: &mut Named, node: Node) {

@@ -1,0 +1,100 @@
+//! Boundary elements: segments and reflex vertices, each with its offset.
+
+use crate::contour::Contour;
+use crate::point::{Point, Vec2};
+use crate::segment::{Arc, Line, Segment};
+use crate::tolerance::pairwise::SMOOTH_TURN;
+
+/// How two elements in a row join.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Joint {
+    /// Their offsets overlap.
+    Convex,
+    /// Their offsets touch, up to rounding.
+    Smooth,
+    /// Their offsets touch: one of them is a reflex vertex.
+    Reflex,
+}
+
+/// A straight segment, or a reflex vertex (then both ends are the same).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Element {
+    pub(super) start: Point,
+    pub(super) end: Point,
+    /// Unit normal into the pocket at the start.
+    pub(super) n0: Vec2,
+    /// The same at the end.
+    pub(super) n1: Vec2,
+    /// Number among all elements of the region.
+    pub(super) number: u32,
+    /// How the element after it joins it.
+    pub(super) joint: Joint,
+}
+
+impl Element {
+    pub(super) fn is_vertex(&self) -> bool {
+        self.start == self.end
+    }
+
+    /// Where its offset starts.
+    pub(super) fn offset_start(&self, d: f64) -> Point {
+        self.start + self.n0 * d
+    }
+
+    /// Where its offset ends.
+    pub(super) fn offset_end(&self, d: f64) -> Point {
+        self.end + self.n1 * d
+    }
+
+    /// Direction of travel, of a segment.
+    pub(super) fn along(&self) -> Vec2 {
+        self.n0.right()
+    }
+
+    /// The boundary point that a point of its offset is nearest to.
+    pub(super) fn foot(&self, p: Point) -> Point {
+        Line::new(self.start, self.end).nearest(p)
+    }
+
+    /// Distance of a point.
+    pub(super) fn distance(&self, p: Point) -> f64 {
+        if self.is_vertex() { self.start.distance(p) } else { Line::new(self.start, self.end).distance(p) }
+    }
+
+    /// The part of its offset between two points of it.
+    pub(super) fn piece(&self, d: f64, start: Point, end: Point) -> Segment {
+        if self.is_vertex() && start != end {
+            Segment::Arc(Arc { start, end, center: self.start, radius: d, ccw: false })
+        } else {
+            Segment::line(start, end)
+        }
+    }
+}
+
+/// The elements of a contour of lines; numbers go on from `first`.
+pub(super) fn of_contour(contour: &Contour, first: &mut u32) -> Vec<Element> {
+    let lines: Vec<(Point, Point, Vec2)> = contour
+        .segments
+        .iter()
+        .map(|s| (s.start(), s.end(), (s.end() - s.start()).normalized().left()))
+        .filter(|l| l.2.length_squared() > 0.0)
+        .collect();
+    let mut elements = Vec::with_capacity(lines.len() + lines.len() / 2);
+    let mut push = |start, end, n0, n1, joint| {
+        elements.push(Element { start, end, n0, n1, number: *first, joint });
+        *first += 1;
+    };
+    for (k, &(start, end, n)) in lines.iter().enumerate() {
+        let after = lines[(k + 1) % lines.len()].2;
+        let turn = n.cross(after);
+        // A spike that turns back on itself is an end of the wall: its vertex is reflex.
+        let reflex = turn < -SMOOTH_TURN || (turn <= SMOOTH_TURN && n.dot(after) < 0.0);
+        let smooth = turn.abs() <= SMOOTH_TURN;
+        let open = if smooth { Joint::Smooth } else { Joint::Convex };
+        push(start, end, n, n, if reflex { Joint::Reflex } else { open });
+        if reflex {
+            push(end, end, n, after, Joint::Reflex);
+        }
+    }
+    elements
+}

@@ -1,0 +1,163 @@
+//! Offsets of point-sequence curves by pair-wise interference detection: the *expanded PWID offset* of S. C. Park and B. K. Choi,
+//! *Uncut free pocketing tool-paths generation using pair-wise offset algorithm*, Computer-Aided Design 33, 2001, section 2.
+//!
+//! 1. Local interfering ranges are removed before a raw offset exists (`local`): at every convex vertex the elements on both
+//!    sides are tested in pairs; one that lies wholly within reach of the other goes, until two meet in a point.
+//!    No local loop is ever formed: a fillet of a thousand tiny segments vanishes like a single one.
+//! 2. What remains, joined, makes one raw curve a contour.
+//! 3. All intersections among raw curves are found through the spatial index, O((n + k) log n) on everything seen (`crossings`).
+//! 4. Global interfering ranges are removed (`global`): the run of a curve between two crossings is valid or interfering as a
+//!    whole, and the distance of one of its points to the boundary tells. It settles the inclusion of curves that cross
+//!    nothing (the paper's figure 8), too.
+//! 5. Valid runs join at the crossings to loops.
+//!
+//! **Exactness.** Segments stay lines, and reflex vertices get true arcs: the curves are the true offset, not chords of it.
+//! Arcs *of the region* are replaced by chords first, within [`PairwiseEngine::chord_tolerance`].
+//!
+//! **Robustness.** Straight pieces cross by exact predicates; what arcs do is computed, and may contradict itself where a
+//! curve passes through a joint of another. Then a valid run leads nowhere: the offset is made anew at a distance larger by [`PERTURBATION`] of the region's size, a few times at most, and refused with an
+//! error if that does not help. Channels exactly twice as wide as the distance are decided in the same way.
+//!
+//! **Departures from the paper.** It trims ranges along the boundary and builds the raw offset from what is left;
+//! here the offset elements themselves are trimmed, which is the same. Its global test goes from
+//! an intersection element by element until the interference ends; here the next intersection ends it.
+
+mod crossings;
+mod element;
+mod global;
+mod local;
+#[cfg(test)]
+mod tests;
+
+use super::{Degenerate, Offset, OffsetEngine, OffsetError, OffsetOptions, check_distance, degenerate_slack};
+use crate::contour::Contour;
+use crate::distance::Boundary;
+use crate::point::Point;
+use crate::region::Region;
+use crate::segment::Segment;
+use crate::tolerance::pairwise::{ATTEMPTS, PERTURBATION};
+use element::Element;
+
+/// An interfering range that was removed: the boundary from one foot to another, collapsed to one vertex of an offset loop.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Interference {
+    /// Whether it was found from a convex vertex; else from a crossing of raw curves.
+    pub local: bool,
+    /// The vertex of the loop that it collapsed to (the paper's *degenerate vertex*).
+    pub degenerate: Point,
+    /// The boundary point that the loop leaves: nearest to the vertex, on the element before it.
+    pub from: Point,
+    /// The boundary point where it goes on.
+    pub to: Point,
+}
+
+/// An offset with the interfering ranges that were removed from it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PairwiseOffset {
+    /// The loops.
+    pub offset: Offset,
+    /// The ranges, in no order that means anything.
+    pub interferences: Vec<Interference>,
+}
+
+/// The pair-wise engine.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct PairwiseEngine;
+
+impl PairwiseEngine {
+    /// How far the chords that stand for a region's arcs may lie from them at offset distance `d`, mm.
+    pub fn chord_tolerance(d: f64) -> f64 {
+        0.5 * degenerate_slack(d)
+    }
+
+    /// The offsets with their interfering ranges, in the order asked.
+    ///
+    /// # Errors
+    /// Where a distance is not a positive number, or the raw curves contradict themselves.
+    pub fn with_ranges(&self, region: &Region, distances: &[f64]) -> Result<Vec<PairwiseOffset>, OffsetError> {
+        for &d in distances {
+            check_distance(d)?;
+        }
+        let least = distances.iter().copied().fold(f64::INFINITY, f64::min);
+        let straight = straightened(region, Self::chord_tolerance(least));
+        let source = Source::new(straight.as_ref().unwrap_or(region));
+        distances.iter().map(|&d| source.offset(d)).collect()
+    }
+}
+
+impl OffsetEngine for PairwiseEngine {
+    fn name(&self) -> &'static str {
+        "pairwise"
+    }
+
+    fn offsets(&self, region: &Region, distances: &[f64], options: &OffsetOptions) -> Result<Vec<Offset>, OffsetError> {
+        if options.degenerate == Degenerate::Keep {
+            let reason = "it cannot keep channels just as wide as the tool; use the voronoi engine".to_owned();
+            return Err(OffsetError::Region { engine: self.name(), reason });
+        }
+        Ok(self.with_ranges(region, distances)?.into_iter().map(|o| o.offset).collect())
+    }
+}
+
+/// The region with chords for arcs; `None` where it has no arcs.
+fn straightened(region: &Region, tolerance: f64) -> Option<Region> {
+    region.segments().any(|s| matches!(s, Segment::Arc(_))).then(|| {
+        let straight = |contour: &Contour| {
+            let mut points = Vec::new();
+            for s in &contour.segments {
+                // A full chord for nearly a turn would be none.
+                let [a, b] = if matches!(s, Segment::Arc(_)) { halves(s) } else { [Some(*s), None] };
+                a.iter().chain(&b).for_each(|s| s.flatten(tolerance, &mut points));
+            }
+            points.dedup();
+            let lines = (0..points.len()).map(|k| Segment::line(points[k], points[(k + 1) % points.len()]));
+            Contour::new(lines.collect())
+        };
+        Region::from_parts_unchecked(region.contours().iter().map(straight).collect(), region.parents().to_vec())
+    })
+}
+
+fn halves(s: &Segment) -> [Option<Segment>; 2] {
+    let (a, b) = s.split_at(s.at(0.5));
+    [Some(a), Some(b)]
+}
+
+/// A region of lines, ready to be offset.
+struct Source {
+    /// The elements of each contour.
+    contours: Vec<Vec<Element>>,
+    walls: Boundary,
+    size: f64,
+}
+
+impl Source {
+    fn new(region: &Region) -> Self {
+        let mut first = 0;
+        let contours = region.contours().iter().map(|c| element::of_contour(c, &mut first)).collect();
+        Self { contours, walls: Boundary::new(region), size: region.bbox().size() }
+    }
+
+    fn offset(&self, distance: f64) -> Result<PairwiseOffset, OffsetError> {
+        let mut reason = String::new();
+        for attempt in 0..ATTEMPTS {
+            let d = distance + f64::from(attempt) * PERTURBATION * self.size;
+            match self.attempt(d) {
+                Ok(mut found) => {
+                    found.offset.distance = distance;
+                    return Ok(found);
+                }
+                Err(why) => reason = why,
+            }
+        }
+        let reason =
+            format!("the raw curves at {distance} mm contradict themselves ({reason}); use the voronoi engine");
+        Err(OffsetError::Region { engine: PairwiseEngine.name(), reason })
+    }
+
+    fn attempt(&self, d: f64) -> Result<PairwiseOffset, String> {
+        let mut interferences = Vec::new();
+        let curves: Vec<Vec<local::RawPiece>> =
+            self.contours.iter().filter_map(|c| local::raw_curve(c, d, &mut interferences)).collect();
+        global::loops(&curves, d, &self.walls, self.size, interferences)
+    }
+}
