@@ -261,7 +261,9 @@ fn the_corpus_has_the_properties() {
 #[test]
 fn each_judge_can_fail() {
     let good = facts(&shapes::smooth_with_islands(240, false));
-    PROPERTIES.iter().for_each(|p| p(&good).unwrap());
+    for property in PROPERTIES {
+        property(&good).unwrap();
+    }
     assert!(good.contacts.iter().any(|c| c.0 == Kind::Pass) && good.subpockets.len() > 1);
     let fails = |property: fn(&Facts) -> Judgement, falsify: fn(&mut Facts)| {
         let mut bad = good.clone();
@@ -278,7 +280,7 @@ fn each_judge_can_fail() {
     });
     // A pass that was not taken for one; an edge too many.
     fails(plateaus_are_a_forest, |f| {
-        f.plateaus.iter_mut().filter(|p| p.0 == Kind::Pass).for_each(|p| p.0 = Kind::Slope)
+        f.plateaus.iter_mut().filter(|p| p.0 == Kind::Pass).for_each(|p| p.0 = Kind::Slope);
     });
     fails(plateaus_are_a_forest, |f| {
         let again = f.plateaus.iter().position(|p| p.0 == Kind::Slope).unwrap();
