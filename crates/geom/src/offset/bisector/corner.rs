@@ -36,6 +36,14 @@ impl Joint {
         self.distance * after.half_turn
     }
 
+    /// Whether what the bisector cuts off the strips of two edges at a convex vertex lies in both: the ends of the strips, as far as
+    /// they overlap. Their feet reach d sin φ from the vertex, or d tan(φ/2) in an acute corner.
+    pub(super) fn kite_is_covered(&self, before: &Edge, after: &Edge) -> bool {
+        let h = after.half_turn;
+        let reach = self.distance * h.max(2.0 * h / (1.0 + h * h));
+        reach <= before.length && reach <= after.length
+    }
+
     /// The corner at a parallel or reflex vertex: one point, or two where it is cut.
     pub(super) fn mitre(&self, before: &Edge, after: &Edge, out: &mut Vec<Point>) {
         let h = after.half_turn.abs();

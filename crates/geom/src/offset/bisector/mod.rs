@@ -22,11 +22,13 @@
 //!
 //! # Why it is right
 //!
-//! The raw curve's winding number is that of the region minus one for each strip and mitre, plus one for each kite that
-//! a bisector cuts off at a convex vertex. A kite that lies in the strips of both of its edges can't
-//! make up for both, so positive winding numbers mean exactly the points outside S and K; at other convex vertices the
-//! curve goes back to the vertex itself (pair-wise). A curve of kites only whose edges are all reversed encloses nothing.
+//! The raw curve's winding number is that of the region minus one for each strip and mitre, plus one for each kite: the
+//! quadrangle of a convex vertex, its offset point, and the ends there of the offset edges of both of its edges, which the
+//! bisector cuts off. Where a kite lies in both strips (as far as it lies in the pocket), it can't make up for both: k kites in a row
+//! lie in k + 1 strips. So positive winding numbers mean exactly the points outside S and K, if the curve goes back to the vertex itself at
+//! convex vertices with kites that reach out of the strips (pair-wise), and at one vertex of a convex contour with invalid edges.
 //! [`raw`] says when an invalid edge may be left out.
+//!
 //! Tracing resolves each intersection into two corners, on both sides of which the winding number is constant: it is carried
 //! from loop to loop, and must come out the same on every way. The paper takes loops of the profile's own direction; that
 //! accepts a loop inside of an invalid one, so here the winding number decides.

@@ -157,23 +157,19 @@ impl Chain {
     /// Appends the raw curve.
     fn emit(&self, joint: &Joint, raw: &mut Raw) {
         let begin = raw.points.len();
-        let mut inverted = true;
-        for k in (0..self.edges.len()).filter(|&k| self.alive[k]) {
+        let all: Vec<usize> = (0..self.edges.len()).filter(|&k| self.alive[k]).collect();
+        // Kites all the way round could add up to a winding number of 1 where all strips overlap: one is left out.
+        let inverted = all.iter().any(|&k| self.offset_length(k, joint) <= 0.0);
+        let ring = inverted && all.iter().all(|&k| self.edges[k].half_turn > 0.0);
+        for (place, &k) in all.iter().enumerate() {
             let (before, after) = (&self.edges[self.before[k] as usize], &self.edges[k]);
-            let trim = joint.trim(after);
             if after.half_turn <= 0.0 {
                 joint.mitre(before, after, &mut raw.points);
-                inverted = false;
-            } else if trim <= before.length && trim <= after.length {
+            } else if joint.kite_is_covered(before, after) && !(ring && place == 0) {
                 raw.points.push(joint.on_bisector(before, after));
-                inverted &= self.offset_length(k, joint) <= 0.0;
             } else {
                 joint.pair_wise(before, after, &mut raw.points);
-                inverted = false;
             }
-        }
-        if inverted {
-            raw.points.truncate(begin);
         }
         raw.close(begin);
     }
