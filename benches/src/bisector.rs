@@ -58,11 +58,8 @@ fn compare(name: &str, loops: &Loops, distance: f64) -> Result<(), Box<dyn Error
     for _ in 0..5 {
         let clipper = || inflate_paths_64(&paths, -distance * GRID, JoinType::Miter, EndType::Polygon, 10.0, 0.0).len();
         let cavalier = || indexed.parallel_offset(distance, &ShapeOffsetOptions::default());
-        let seconds = [
-            best(|| ours(&region, distance))?,
-            best(|| Ok(cavalier().ccw_plines.len()))?,
-            best(|| Ok(clipper()))?,
-        ];
+        let seconds =
+            [best(|| ours(&region, distance))?, best(|| Ok(cavalier().ccw_plines.len()))?, best(|| Ok(clipper()))?];
         least = std::array::from_fn(|k| least[k].min(seconds[k]));
     }
     let [ours, cavalier, clipper] = least.map(|s| 1e3 * s);

@@ -6,7 +6,9 @@ use pocketry_geom::{Point, Region, Segment, Vec2};
 pub(crate) fn covered(region: &Region, p: Point, d: f64, limit: f64) -> bool {
     region.contours().iter().any(|c| {
         let n = c.segments.len();
-        (0..n).any(|k| in_strip(&c.segments[k], p, d) || in_mitre(&c.segments[(k + n - 1) % n], &c.segments[k], p, d, limit))
+        (0..n).any(|k| {
+            in_strip(&c.segments[k], p, d) || in_mitre(&c.segments[(k + n - 1) % n], &c.segments[k], p, d, limit)
+        })
     })
 }
 

@@ -116,8 +116,9 @@ impl<'a> Arrangement<'a> {
     /// Orders the passages along the loops and joins partners.
     fn sort(&mut self) -> Result<(), Undecided> {
         self.passages.sort_unstable_by(|p, q| p.edge.cmp(&q.edge).then(p.at.total_cmp(&q.at)));
-        let close =
-            |p: &Passage, q: &Passage| p.edge == q.edge && (q.at - p.at).partial_cmp(&(p.doubt + q.doubt)) != Some(std::cmp::Ordering::Greater);
+        let close = |p: &Passage, q: &Passage| {
+            p.edge == q.edge && (q.at - p.at).partial_cmp(&(p.doubt + q.doubt)) != Some(std::cmp::Ordering::Greater)
+        };
         if let Some(pair) = self.passages.windows(2).find(|w| close(&w[0], &w[1])) {
             let [a, b] = self.edge(pair[0].edge as usize);
             return Err(Undecided(a.lerp(b, pair[0].at)));

@@ -4,74 +4,51 @@ use crate::bbox::BBox;
 use crate::point::Point;
 use crate::tolerance::bisector::GRID_PAD;
 
-/// Cells for one edge.
-const CELLS_PER_EDGE: f64 = 2.0;
+/// Side of a cell in mean lengths of an edge.
+const SIDE: f64 = 1.5;
 
-/// With more entries than this for one edge, a grid does not pay.
-const ENTRIES_PER_EDGE: usize = 12;
+/// Bits of a column's and of a row's number in an entry; the rest is the edge's name.
+const PLACE_BITS: u32 = 20;
+const NAME_BITS: u32 = 64 - 2 * PLACE_BITS;
 
-/// A uniform grid over straight edges.
+/// With more pairs in cells than this for one edge, a grid does not pay.
+const PAIRS_PER_EDGE: usize = 60;
+
+/// A uniform grid over straight edges, of which only cells that are passed through exist.
 #[derive(Clone, Debug)]
 pub(super) struct Grid {
     origin: Point,
     per_length: f64,
     columns: usize,
     rows: usize,
-    /// Where each cell's entries begin; one more at the end.
-    first: Vec<u32>,
-    entries: Vec<u32>,
+    /// Column, row and name of the edge, in this order.
+    entries: Vec<u64>,
 }
 
 impl Grid {
-    /// The grid of `count` edges; `None` where they are too long for one.
+    /// The grid of `count` edges; `None` where many of them crowd in the same cells.
     pub(super) fn new(count: usize, bbox: BBox, edge: impl Fn(usize) -> [Point; 2]) -> Option<Self> {
-        let cells = (CELLS_PER_EDGE * count as f64).max(1.0);
-        let (width, height) = (bbox.width(), bbox.height());
-        let side = (width * height / cells).sqrt().max((width + height) / cells);
-        if !(side > 0.0 && side.is_finite()) {
+        let total: f64 = (0..count).map(|k| edge(k)).map(|[a, b]| a.distance(b)).sum();
+        let most = f64::from(1_u32 << PLACE_BITS) - 2.0;
+        let side = (SIDE * total / count as f64).max(bbox.size() / most);
+        if !(side > 0.0 && side.is_finite()) || count >> NAME_BITS > 0 {
             return None;
         }
         let number = |extent: f64| (extent / side) as usize + 1;
-        let mut grid = Self {
-            origin: bbox.min,
-            per_length: 1.0 / side,
-            columns: number(width),
-            rows: number(height),
-            first: Vec::new(),
-            entries: Vec::new(),
-        };
-        grid.first = vec![0; grid.columns * grid.rows + 1];
-        let mut total = 0;
+        let (columns, rows) = (number(bbox.width()), number(bbox.height()));
+        let mut grid = Self { origin: bbox.min, per_length: 1.0 / side, columns, rows, entries: Vec::new() };
+        let mut entries = Vec::with_capacity(4 * count);
         for k in 0..count {
-            let mut first = std::mem::take(&mut grid.first);
-            grid.pass(edge(k), |cell| {
-                first[cell] += 1;
-                total += 1;
-            });
-            grid.first = first;
-            if total > ENTRIES_PER_EDGE * count {
-                return None;
-            }
+            grid.pass(edge(k), |column, row| entries.push(entry(column, row, k)));
         }
-        grid.fill(count, total, edge);
-        Some(grid)
+        entries.sort_unstable();
+        grid.entries = entries;
+        let pairs: usize = grid.cells().map(|c| c.len() * c.len() / 2).sum();
+        (pairs <= PAIRS_PER_EDGE * count).then_some(grid)
     }
 
-    /// From counts to entries.
-    fn fill(&mut self, count: usize, total: usize, edge: impl Fn(usize) -> [Point; 2]) {
-        let mut sum = 0;
-        for f in &mut self.first {
-            sum += *f;
-            *f = sum;
-        }
-        let (mut first, mut entries) = (std::mem::take(&mut self.first), vec![0; total]);
-        for k in (0..count).rev() {
-            self.pass(edge(k), |cell| {
-                first[cell] -= 1;
-                entries[first[cell] as usize] = k as u32;
-            });
-        }
-        (self.first, self.entries) = (first, entries);
+    fn cells(&self) -> impl Iterator<Item = &[u64]> {
+        self.entries.chunk_by(|a, b| a >> NAME_BITS == b >> NAME_BITS)
     }
 
     fn column(&self, x: f64) -> f64 {
@@ -84,7 +61,7 @@ impl Grid {
 
     /// Calls `found` for every cell that an edge passes through, and for some beside it.
     #[inline]
-    fn pass(&self, [a, b]: [Point; 2], mut found: impl FnMut(usize)) {
+    fn pass(&self, [a, b]: [Point; 2], mut found: impl FnMut(usize, usize)) {
         let (l, r) = if a.x <= b.x { (a, b) } else { (b, a) };
         let (x0, x1, y0, y1) = (self.column(l.x), self.column(r.x), self.row(l.y), self.row(r.y));
         let clamp = |v: f64, n: usize| (v.max(0.0) as usize).min(n - 1);
@@ -96,22 +73,17 @@ impl Grid {
             let leave = if c == c1 { y1 } else { at(c as f64 + 1.0 + GRID_PAD).unwrap_or(y1) };
             let (low, high) = (enter.min(leave).max(y0.min(y1)), enter.max(leave).min(y0.max(y1)));
             for row in clamp(low - GRID_PAD, self.rows)..=clamp(high + GRID_PAD, self.rows) {
-                found(row * self.columns + c);
+                found(c, row);
             }
         }
     }
 
-    fn cell(&self, k: usize) -> &[u32] {
-        &self.entries[self.first[k] as usize..self.first[k + 1] as usize]
-    }
-
-    /// Calls `found` for every two edges that share a cell, the smaller name first; some pairs come more than once.
+    /// Calls `found` for every two edges that share a cell; some pairs come more than once.
     pub(super) fn pairs<E>(&self, mut found: impl FnMut(usize, usize) -> Result<(), E>) -> Result<(), E> {
-        for k in 0..self.first.len() - 1 {
-            let cell = self.cell(k);
+        for cell in self.cells() {
             for (i, &a) in cell.iter().enumerate() {
                 for &b in &cell[i + 1..] {
-                    found(a as usize, b as usize)?;
+                    found(name(a), name(b))?;
                 }
             }
         }
@@ -120,11 +92,19 @@ impl Grid {
 
     /// Calls `found` for every edge that may lie above a point; some come more than once.
     pub(super) fn above(&self, p: Point, mut found: impl FnMut(usize)) {
-        let (column, row) = (self.column(p.x), self.row(p.y) - GRID_PAD);
-        let column = (column.max(0.0) as usize).min(self.columns - 1);
-        let row = (row.max(0.0) as usize).min(self.rows - 1);
-        for r in row..self.rows {
-            self.cell(r * self.columns + column).iter().for_each(|&k| found(k as usize));
-        }
+        let place = |v: f64, n: usize| (v.max(0.0) as usize).min(n - 1);
+        let column = place(self.column(p.x), self.columns);
+        let first = entry(column, place(self.row(p.y) - GRID_PAD, self.rows), 0);
+        let begin = self.entries.partition_point(|&e| e < first);
+        let above = self.entries[begin..].iter().take_while(|&&e| (e >> (NAME_BITS + PLACE_BITS)) as usize == column);
+        above.for_each(|&e| found(name(e)));
     }
+}
+
+fn entry(column: usize, row: usize, name: usize) -> u64 {
+    (column as u64) << (NAME_BITS + PLACE_BITS) | (row as u64) << NAME_BITS | name as u64
+}
+
+fn name(entry: u64) -> usize {
+    (entry & ((1 << NAME_BITS) - 1)) as usize
 }

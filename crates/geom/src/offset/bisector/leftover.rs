@@ -2,12 +2,13 @@
 //!
 //! Around a reflex vertex that turns by φ, the corner of each loop lies ω/cos(φ/2) farther out than that of the loop before, for an
 //! interval ω. There the tool of radius r clears a disk around the inner corner and, on the outer loop, all up to
-//! the lines at ω − r from the inner one's edges. Where they meet, at (ω − r)/cos(φ/2) from the inner corner, material is left if
+//! the lines at ω − r from the inner one's edges. Where these meet, at a = (ω − r)/cos(φ/2) from the inner corner, material is left if a > r, or
 //!
 //! ω > r (1 + cos(φ/2)),
 //!
 //! which is 1.707 r at 90°; outside of all interfering ranges, which are at convex corners. A straight move
-//! from the corner outwards along the bisector, by (ω − r)/cos(φ/2) − r, takes it away.
+//! from the corner outwards along the bisector, by a − r, takes it away. The point
+//! that the tool misses most lies at (r + a cos(φ/2))/(1 + cos(φ/2)) from the corner, as far from there as from the outer loop.
 
 use crate::distance::Boundary;
 use crate::index::SegmentIndex;
@@ -30,7 +31,7 @@ pub struct MitreLeftover {
     pub corner: u32,
     /// The turn at the corner, radians, positive.
     pub turn: f64,
-    /// The point that stays farthest from the tool.
+    /// The point that the tool misses most.
     pub farthest: Point,
     /// By how much the tool misses it, mm.
     pub miss: f64,
@@ -81,8 +82,10 @@ fn corners(segments: &[Segment], interval: f64, radius: f64) -> impl Iterator<It
         let out = (interval - radius) * lengthening;
         let to = |length: f64| corner + outwards * (length / lengthening);
         let cleanup = Some(Line::new(corner, to(out - radius)));
+        let cos = 1.0 / lengthening;
+        let farthest = to((radius + out * cos) / (1.0 + cos));
         let turn = 2.0 * half.abs().atan();
-        let leftover = MitreLeftover { offset: 0, contour: 0, corner: 0, turn, farthest: to(out), miss: 0.0, cleanup };
+        let leftover = MitreLeftover { offset: 0, contour: 0, corner: 0, turn, farthest, miss: 0.0, cleanup };
         Some((k as u32, leftover))
     })
 }

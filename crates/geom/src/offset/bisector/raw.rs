@@ -23,26 +23,38 @@ pub(super) struct Raw {
     /// Where each loop ends in `points`.
     pub(super) ends: Vec<u32>,
     /// Edges whose strip must turn out to be covered.
-    pub(super) unproven: Vec<Edge>,
+    /// They are named by their places among all edges of all loops.
+    pub(super) unproven: Vec<(u32, Edge)>,
 }
 
 /// Whether edges may be left out before it is certain that others cover their strips.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Trust {
-    /// They may, and are checked afterwards.
-    Check,
+pub(super) enum Trust<'a> {
+    /// They may, and are checked afterwards; but for those marked here by their names (none, where it is empty).
+    Check(&'a [bool]),
     /// They may not.
     Prove,
 }
 
+impl Trust<'_> {
+    fn allows(self, name: usize) -> bool {
+        match self {
+            Self::Check(marked) => !marked.get(name).is_some_and(|&m| m),
+            Self::Prove => false,
+        }
+    }
+}
+
 impl Raw {
     /// The raw curves of these loops.
-    pub(super) fn new(loops: &[Vec<Edge>], joint: &Joint, trust: Trust) -> Self {
+    pub(super) fn new(loops: &[Vec<Edge>], joint: &Joint, trust: Trust<'_>) -> Self {
         let mut raw = Self::default();
+        let mut first = 0;
         for edges in loops {
-            let mut chain = Chain::new(edges);
+            let mut chain = Chain::new(edges, first);
             chain.leave_out_invalid(joint, trust, &mut raw.unproven);
             chain.emit(joint, &mut raw);
+            first += edges.len();
         }
         raw
     }
@@ -72,10 +84,12 @@ struct Chain {
     after: Vec<u32>,
     alive: Vec<bool>,
     count: usize,
+    /// Name of the first edge.
+    first: usize,
 }
 
 impl Chain {
-    fn new(edges: &[Edge]) -> Self {
+    fn new(edges: &[Edge], first: usize) -> Self {
         let n = edges.len();
         Self {
             edges: edges.to_vec(),
@@ -83,6 +97,7 @@ impl Chain {
             after: (0..n).map(|k| ((k + 1) % n) as u32).collect(),
             alive: vec![true; n],
             count: n,
+            first,
         }
     }
 
@@ -97,7 +112,7 @@ impl Chain {
     }
 
     /// Cases I and II.
-    fn leave_out_invalid(&mut self, joint: &Joint, trust: Trust, unproven: &mut Vec<Edge>) {
+    fn leave_out_invalid(&mut self, joint: &Joint, trust: Trust<'_>, unproven: &mut Vec<(u32, Edge)>) {
         let mut waiting: Vec<usize> = (0..self.edges.len()).rev().collect();
         while let Some(k) = waiting.pop() {
             if !self.alive[k] || self.count < 4 {
@@ -109,14 +124,14 @@ impl Chain {
                 continue;
             }
             let proven = self.covers(k, joint);
-            if !proven && trust == Trust::Prove {
+            if !proven && !trust.allows(self.first + k) {
                 continue;
             }
             let left_out = self.edges[k];
             if self.leave_out(k) {
                 waiting.extend([forward, backward]);
                 if !proven {
-                    unproven.push(left_out);
+                    unproven.push(((self.first + k) as u32, left_out));
                 }
             }
         }

@@ -13,6 +13,9 @@ use crate::point::{Point, Vec2, vec2};
 use crate::tolerance::bisector::{ATTEMPTS, FIRST_RANGE, RANGE_GROWTH, SLIVER};
 use crate::tolerance::{OFFSET_DROP, touch_length};
 
+/// Rounds of edges left out on trust: nearly always one is enough, or two.
+const ROUNDS: usize = 8;
+
 /// The corners of the loops at `distance`; an error is the place that can't be decided.
 pub(super) fn polygons(profiles: &Profiles, distance: f64, limit: Option<f64>) -> Result<Vec<Vec<Point>>, Point> {
     let size = profiles.bbox.size();
@@ -33,6 +36,8 @@ pub(super) fn polygons(profiles: &Profiles, distance: f64, limit: Option<f64>) -
     Err(place)
 }
 
+/// Edges that were left out but turn out not to be covered stay in the next round; after some rounds all do that are not
+/// proven.
 fn at_range(
     profiles: &Profiles,
     distance: f64,
@@ -44,11 +49,17 @@ fn at_range(
     let bbox = profiles.bbox;
     let far = bbox.width() + bbox.height() + distance;
     let joint = Joint { distance, limit: limit.unwrap_or(f64::INFINITY), far };
-    let mut raw = Raw::new(&profiles.loops, &joint, Trust::Check);
-    shake(&mut raw.points, range, seed);
-    let loops = trace::loops(&Arrangement::new(&raw)?)?;
-    if unproven::all_covered(&raw.unproven, &loops, &joint, bbox) {
-        return Ok(loops);
+    let mut marked = Vec::new();
+    for _ in 0..ROUNDS {
+        let mut raw = Raw::new(&profiles.loops, &joint, Trust::Check(&marked));
+        shake(&mut raw.points, range, seed);
+        let loops = trace::loops(&Arrangement::new(&raw)?)?;
+        let uncovered = unproven::uncovered(&raw.unproven, &loops, &joint, bbox);
+        if uncovered.is_empty() {
+            return Ok(loops);
+        }
+        marked.resize(profiles.loops.iter().map(Vec::len).sum(), false);
+        uncovered.into_iter().for_each(|name| marked[name as usize] = true);
     }
     let mut raw = Raw::new(&profiles.loops, &joint, Trust::Prove);
     shake(&mut raw.points, range, seed);

@@ -45,7 +45,15 @@ impl<'a> Tracer<'a> {
     fn new(curves: &'a Arrangement<'a>) -> Self {
         let n = curves.passages.len();
         let (part_of, following) = (Vec::with_capacity(n), Vec::with_capacity(n));
-        Self { curves, parts: Vec::new(), part_of, following, traced: vec![u32::MAX; n], firsts: Vec::new(), winding: Vec::new() }
+        Self {
+            curves,
+            parts: Vec::new(),
+            part_of,
+            following,
+            traced: vec![u32::MAX; n],
+            firsts: Vec::new(),
+            winding: Vec::new(),
+        }
     }
 
     /// The passages of one raw loop.

@@ -11,22 +11,23 @@ use crate::point::Point;
 use crate::segment::Segment;
 use crate::tolerance::bisector::STRIP_SLACK;
 
-/// Whether no loop enters one of the strips.
-pub(super) fn all_covered(edges: &[Edge], loops: &[Vec<Point>], joint: &Joint, bbox: BBox) -> bool {
+/// The names of the edges whose strips a loop enters.
+pub(super) fn uncovered(edges: &[(u32, Edge)], loops: &[Vec<Point>], joint: &Joint, bbox: BBox) -> Vec<u32> {
     if edges.is_empty() || loops.is_empty() {
-        return true;
+        return Vec::new();
     }
     let segments: Vec<Segment> =
         loops.iter().flat_map(|l| (0..l.len()).map(|k| Segment::line(l[k], l[(k + 1) % l.len()]))).collect();
     let index = SegmentIndex::new(&segments);
     let slack = STRIP_SLACK * bbox.size();
-    edges.iter().all(|e| {
+    let is_entered = |e: &Edge| {
         let reach = e.direction.left() * joint.distance;
         let strip = BBox::of(e.start, e.end()).with(e.start + reach).with(e.end() + reach);
         let mut entered = false;
         index.visit(strip, 0.0, |_, s| entered |= enters(e, joint.distance, slack, s.start(), s.end()));
-        !entered
-    })
+        entered
+    };
+    edges.iter().filter(|(_, e)| is_entered(e)).map(|(name, _)| *name).collect()
 }
 
 /// Whether a segment comes into an edge's strip by more than `slack`.
