@@ -1,6 +1,6 @@
 //! What was typed. What it means is [`crate::settings`]'s affair.
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 use pocketry_io::import::Units;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -258,11 +258,23 @@ pub(crate) struct OffsetArgs {
     /// Distances from the walls, mm, separated by commas.
     #[arg(short, long, value_name = "MM,...", value_delimiter = ',', required = true, value_parser = positive)]
     pub(crate) distance: Vec<f64>,
+    /// How to offset: exactly, or with mitred corners at reflex vertices and chords in the place of arcs.
+    #[arg(long, value_enum, default_value = "voronoi")]
+    pub(crate) engine: Engine,
     /// File to write; its ending (.dxf, .svg, .json) says in which form [default: JSON to standard output].
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) drawing: DrawingArgs,
+}
+
+/// An algorithm that offsets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Engine {
+    /// Exact, over the Voronoi skeleton.
+    Voronoi,
+    /// Mitre-joined, by bisectors.
+    Bisector,
 }
 
 /// `pocketry skeleton`.
