@@ -75,6 +75,15 @@ impl FromStr for Origin {
     }
 }
 
+/// An engine that offsets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Engine {
+    /// Exact, from the Voronoi skeleton.
+    Voronoi,
+    /// By bisectors: mitred corners at reflex vertices; arcs become chords.
+    Bisector,
+}
+
 /// The distance between loops.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Stepover {
@@ -258,7 +267,7 @@ pub(crate) struct OffsetArgs {
     /// Distances from the walls, mm, separated by commas.
     #[arg(short, long, value_name = "MM,...", value_delimiter = ',', required = true, value_parser = positive)]
     pub(crate) distance: Vec<f64>,
-    /// How to offset: exactly, or with mitred corners at reflex vertices and chords in the place of arcs.
+    /// The engine that computes the loops.
     #[arg(long, value_enum, default_value = "voronoi")]
     pub(crate) engine: Engine,
     /// File to write; its ending (.dxf, .svg, .json) says in which form [default: JSON to standard output].
@@ -266,15 +275,6 @@ pub(crate) struct OffsetArgs {
     pub(crate) output: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) drawing: DrawingArgs,
-}
-
-/// An algorithm that offsets.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Engine {
-    /// Exact, over the Voronoi skeleton.
-    Voronoi,
-    /// Mitre-joined, by bisectors.
-    Bisector,
 }
 
 /// `pocketry skeleton`.
