@@ -75,7 +75,9 @@ fn compare(name: &str, loops: &Loops, distance: f64) -> Result<(), Box<dyn Error
 fn plines(region: &Region) -> Vec<Polyline> {
     let pline = |c: &pocketry_geom::Contour| {
         let mut pline = Polyline::new_closed();
-        c.segments.iter().for_each(|s| pline.add(s.start().x, s.start().y, s.bulge()));
+        for s in &c.segments {
+            pline.add(s.start().x, s.start().y, s.bulge());
+        }
         pline
     };
     region.contours().iter().map(pline).collect()

@@ -24,7 +24,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 fn star(island: bool) -> Loops {
     let at = |scale: f64| {
-        let long = |t: f64| (t / TAU * 10.0).round() as usize % 2 == 0;
+        let long = |t: f64| ((t / TAU * 10.0).round() as usize).is_multiple_of(2);
         shapes::polar(10, |t| scale * if long(t) { 20.0 } else { 9.0 })
     };
     if island { vec![at(1.0), at(0.3)] } else { vec![at(1.0)] }
@@ -32,7 +32,9 @@ fn star(island: bool) -> Loops {
 
 fn gear() -> Loops {
     let mut outline = shapes::gear(12, 18.0, 23.0);
-    outline.iter_mut().for_each(|v| v[2] = 0.0);
+    for v in &mut outline {
+        v[2] = 0.0;
+    }
     vec![outline, shapes::ngon(6, 5.0, [0.0; 2])]
 }
 
@@ -100,7 +102,11 @@ fn panel<'a>(region: &Region, offsets: impl Iterator<Item = &'a Contour>, x: f64
         }
         out.push_str("'/>\n");
     };
-    offsets.for_each(|c| draw(c, "royalblue", 0.8));
-    region.contours().iter().for_each(|c| draw(c, "black", 1.6));
+    for c in offsets {
+        draw(c, "royalblue", 0.8);
+    }
+    for c in region.contours() {
+        draw(c, "black", 1.6);
+    }
     out
 }

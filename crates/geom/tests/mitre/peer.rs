@@ -29,11 +29,11 @@ impl Grid {
     }
 
     pub(crate) fn region(&self, region: &Region) -> Paths64 {
-        region.contours().iter().map(|c| self.path(c.segments.iter().map(|s| s.start()))).collect()
+        region.contours().iter().map(|c| self.path(c.segments.iter().map(pocketry_geom::Segment::start))).collect()
     }
 
     pub(crate) fn offset(&self, offset: &Offset) -> Paths64 {
-        offset.loops.iter().map(|l| self.path(l.contour.segments.iter().map(|s| s.start()))).collect()
+        offset.loops.iter().map(|l| self.path(l.contour.segments.iter().map(pocketry_geom::Segment::start))).collect()
     }
 
     /// Their offset, with the same fallback beyond the limit: square, at the offset distance.

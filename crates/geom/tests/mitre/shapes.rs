@@ -12,7 +12,11 @@ use std::f64::consts::TAU;
 fn star(points: usize, islands: bool) -> Loops {
     let at = |scale: f64| {
         shapes::polar(2 * points, |t| {
-            if (t / TAU * 2.0 * points as f64).round() as usize % 2 == 0 { 20.0 * scale } else { 9.0 * scale }
+            if ((t / TAU * 2.0 * points as f64).round() as usize).is_multiple_of(2) {
+                20.0 * scale
+            } else {
+                9.0 * scale
+            }
         })
     };
     if islands { vec![at(1.0), at(0.3)] } else { vec![at(1.0)] }
@@ -21,7 +25,9 @@ fn star(points: usize, islands: bool) -> Loops {
 /// A gear of lines.
 fn gear(islands: bool) -> Loops {
     let mut outline = shapes::gear(12, 18.0, 23.0);
-    outline.iter_mut().for_each(|v| v[2] = 0.0);
+    for v in &mut outline {
+        v[2] = 0.0;
+    }
     let holes = (0..4).map(|k| f64::from(k) * TAU / 4.0).map(|t| shapes::ngon(6, 3.0, [9.0 * t.cos(), 9.0 * t.sin()]));
     std::iter::once(outline).chain(holes.take(if islands { 4 } else { 0 })).collect()
 }
@@ -47,7 +53,7 @@ fn labyrinth(islands: bool) -> Loops {
     wall.push([last[0] + 4.0, last[1], 0.0]);
     inner.truncate(end - 1);
     let mut outline = wall;
-    inner.iter().rev().for_each(|&v| outline.push(v));
+    outline.extend(inner.iter().rev());
     outline.push([0.0, 4.0, 0.0]);
     if islands { vec![outline, shapes::ngon(5, 0.8, [20.0, 2.0])] } else { vec![outline] }
 }
@@ -83,7 +89,9 @@ fn length(offset: &Offset) -> f64 {
 }
 
 fn straight(mut loops: Loops) -> Loops {
-    loops.iter_mut().flatten().for_each(|v| v[2] = 0.0);
+    for v in loops.iter_mut().flatten() {
+        v[2] = 0.0;
+    }
     loops
 }
 

@@ -28,7 +28,7 @@ pub(super) struct Grid {
 impl Grid {
     /// The grid of `count` edges; `None` where many of them crowd in the same cells.
     pub(super) fn new(count: usize, bbox: BBox, edge: impl Fn(usize) -> [Point; 2]) -> Option<Self> {
-        let total: f64 = (0..count).map(|k| edge(k)).map(|[a, b]| a.distance(b)).sum();
+        let total: f64 = (0..count).map(&edge).map(|[a, b]| a.distance(b)).sum();
         let most = f64::from(1_u32 << PLACE_BITS) - 2.0;
         let side = (SIDE * total / count as f64).max(bbox.size() / most);
         if !(side > 0.0 && side.is_finite()) || count >> NAME_BITS > 0 {

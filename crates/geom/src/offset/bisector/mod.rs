@@ -104,7 +104,7 @@ impl OffsetEngine for BisectorEngine {
 impl BisectorEngine {
     fn check(&self) -> Result<(), OffsetError> {
         let refuse = |reason: String| Err(OffsetError::Region { engine: self.name(), reason });
-        if self.mitre_limit.is_some_and(|l| !(l >= 1.0)) {
+        if self.mitre_limit.is_some_and(|l| l.is_nan() || l < 1.0) {
             return refuse(format!("mitre limit {:?}: it must be 1 or more", self.mitre_limit.unwrap_or_default()));
         }
         if !(self.chord_tolerance > 0.0 && self.chord_tolerance.is_finite()) {

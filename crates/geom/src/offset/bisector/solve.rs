@@ -59,7 +59,9 @@ fn at_range(
             return Ok(loops);
         }
         marked.resize(profiles.loops.iter().map(Vec::len).sum(), false);
-        uncovered.into_iter().for_each(|name| marked[name as usize] = true);
+        for name in uncovered {
+            marked[name as usize] = true;
+        }
     }
     let mut raw = Raw::new(&profiles.loops, &joint, Trust::Prove);
     shake(&mut raw.points, range, seed);
@@ -77,7 +79,7 @@ fn shake(points: &mut [Point], range: f64, seed: u64) {
         state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = (state ^ (state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        (z ^ (z >> 31)) as i64 as f64 / i64::MAX as f64
+        (z ^ (z >> 31)).cast_signed() as f64 / i64::MAX as f64
     };
     for p in points {
         let by: Vec2 = vec2(step(), step()) * range;

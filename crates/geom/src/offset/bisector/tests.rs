@@ -8,7 +8,8 @@ fn region(loops: &[&[[f64; 2]]]) -> Region {
 
 #[test]
 fn a_convex_contour_with_one_valid_edge_has_no_offset_beyond_its_depth() {
-    let corners = [[201.874332, 34.462776], [202.088337, 34.604283], [202.088337, 34.402494], [201.91706, 34.281151]];
+    let corners =
+        [[201.874_332, 34.462_776], [202.088_337, 34.604_283], [202.088_337, 34.402_494], [201.91706, 34.281_151]];
     let offsets = BisectorEngine::default().offsets(&region(&[&corners]), &[0.10415], &OffsetOptions::default());
     assert!(offsets.unwrap()[0].loops.is_empty());
 }
@@ -68,7 +69,7 @@ fn a_mitre_beyond_the_limit_is_cut_square_at_the_distance() {
     let region = region(&[&spike]);
     let lowest = |limit| {
         let loops = offset(&region, 2.0, limit).loops;
-        let near = loops.iter().flat_map(|l| &l.contour.segments).map(|s| s.start());
+        let near = loops.iter().flat_map(|l| &l.contour.segments).map(crate::Segment::start);
         near.filter(|p| p.x > 15.0 && p.x < 25.0 && p.y > 2.5).map(|p| p.y).fold(f64::INFINITY, f64::min)
     };
     assert!((lowest(Some(10.0)) - 8.0).abs() < 1e-9);
