@@ -12,7 +12,7 @@ const PLACE_BITS: u32 = 20;
 const NAME_BITS: u32 = 64 - 2 * PLACE_BITS;
 
 /// With more pairs in cells than this for one edge, a grid does not pay.
-const PAIRS_PER_EDGE: usize = 60;
+const PAIRS_PER_EDGE: usize = 400;
 
 /// A uniform grid over straight edges, of which only cells that are passed through exist.
 #[derive(Clone, Debug)]
