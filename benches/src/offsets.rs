@@ -95,7 +95,7 @@ fn shape(region: &Region) -> Shape<f64> {
 /// Segments of all of their offsets.
 fn theirs(shape: &Shape<f64>, distances: &[f64]) -> usize {
     let count = |&d: &f64| {
-        let offset = shape.parallel_offset(d, ShapeOffsetOptions::default());
+        let offset = shape.parallel_offset(d, &ShapeOffsetOptions::default());
         let lines = offset.ccw_plines.iter().chain(&offset.cw_plines);
         lines.map(|p| p.polyline.vertex_count()).sum::<usize>()
     };
