@@ -93,6 +93,8 @@ pub(crate) enum Engine {
     Voronoi,
     /// By pair-wise interference detection; arcs become chords within 0.0001 mm.
     Pairwise,
+    /// By bisectors: mitred corners at reflex vertices; arcs become chords.
+    Bisector,
 }
 
 /// Stepovers from one to another, mm.

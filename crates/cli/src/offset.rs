@@ -5,7 +5,8 @@ use crate::console::{self, figure};
 use crate::drawing;
 use crate::failure::{Exit, Failure};
 use crate::output::write_or_print;
-use pocketry_geom::offset::{Offset, OffsetEngine, OffsetOptions, PairwiseEngine, VoronoiEngine};
+use pocketry_geom::Segment;
+use pocketry_geom::offset::{BisectorEngine, Offset, OffsetEngine, OffsetOptions, PairwiseEngine, VoronoiEngine};
 use pocketry_io::export::{Sheet, to_dxf, to_json, to_svg};
 use std::path::Path;
 
@@ -36,10 +37,18 @@ pub(crate) fn run(args: &OffsetArgs) -> Result<(), Failure> {
     let drawing = drawing::read(&args.input, &args.drawing)?;
     console::warnings(&drawing.warnings);
     let failed = |e| Failure::new(Exit::NotProven, "offset", e);
+    let bisector = BisectorEngine::default();
     let engine: &dyn OffsetEngine = match args.engine {
         Engine::Voronoi => &VoronoiEngine,
         Engine::Pairwise => &PairwiseEngine,
+        Engine::Bisector => &bisector,
     };
+    if args.engine == Engine::Bisector && drawing.region.segments().any(|s| matches!(s, Segment::Arc(_))) {
+        let within = figure(bisector.chord_tolerance);
+        console::warnings(&[format!(
+            "arcs were replaced by chords within {within} mm: the bisector engine takes lines only"
+        )]);
+    }
     let offsets = engine.offsets(&drawing.region, &args.distance, &OffsetOptions::default()).map_err(failed)?;
     let empty: Vec<String> = offsets
         .iter()

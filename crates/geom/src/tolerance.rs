@@ -224,6 +224,26 @@ pub const ARC_RADII_WRITTEN: f64 = 0.001;
 /// up to three steps (end, centre, radius), which leaves more than half of the budget.
 pub const ROUNDING_SHARE: f64 = 0.15;
 
+/// Tolerances of the bisector engine, *relative* unless said otherwise.
+pub mod bisector {
+    /// By how much raw corners are moved where they are degenerate, at first: some thousand times the rounding of
+    /// coordinates, so that nearly all orders are certain, and far below what an offset may be off.
+    pub const FIRST_RANGE: f64 = 1e-12;
+    /// By how much more in each further attempt.
+    pub const RANGE_GROWTH: f64 = 10.0;
+    /// Attempts, the first one with the corners as they are: the last one moves corners by 1e-8.
+    pub const ATTEMPTS: u64 = 6;
+    /// Loops nowhere wider than this many ranges are made by the moved corners.
+    pub const SLIVER: f64 = 16.0;
+    /// Sine of the least turn between two edges that are extended to where they meet: flatter ones meet at a place that
+    /// rounding decides.
+    pub const EXTENDED_TURN: f64 = 1e-6;
+    /// How far a loop may enter the strip of an edge that others are to cover: ten times what moved corners cost.
+    pub const STRIP_SLACK: f64 = 1e-8;
+    /// How far beyond a cell edges count as passing through it, in cells: far above rounding, and next to no cost.
+    pub const GRID_PAD: f64 = 1e-6;
+}
+
 /// Tolerances of the skeleton's construction, *relative*: it computes in a frame scaled to size 0.5 … 1.
 pub mod skeleton {
     /// A disk is empty if no site reaches deeper into it than this. Some ten times the rounding of a distance.

@@ -5,6 +5,7 @@
 //! [`Region`]: counter-clockwise around what remains, clockwise around what does not, the remaining
 //! pocket to the left of travel. Loops may touch at points: two loops meet at a pass whose clearance is exactly `d`.
 
+pub mod bisector;
 pub mod outward;
 pub mod pairwise;
 pub mod voronoi;
@@ -16,6 +17,7 @@ use crate::segment::Segment;
 use crate::skeleton::{EdgeId, SiteId};
 use crate::tolerance::{FIT_SLACK, FIT_SLACK_SHARE};
 
+pub use bisector::BisectorEngine;
 pub use outward::outward;
 pub use pairwise::{Interference, PairwiseEngine, PairwiseOffset};
 pub use voronoi::{EdgeCurve, VoronoiEngine, VoronoiOffsetter, upward};
@@ -81,9 +83,10 @@ pub struct Offset {
 pub struct OffsetLoop {
     /// Its lines and arcs, the remaining pocket to the left.
     pub contour: Contour,
-    /// For each segment the site it is parallel to.
+    /// For each segment the site it is parallel to; empty where the engine knows none.
     pub sites: Vec<SiteId>,
-    /// For each segment the skeleton half-edge on which it starts, directed towards larger clearance.
+    /// For each segment the skeleton half-edge on which it starts, directed towards larger clearance; empty
+    /// where the engine has no skeleton.
     pub crossings: Vec<EdgeId>,
 }
 

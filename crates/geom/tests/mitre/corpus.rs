@@ -1,0 +1,116 @@
+//! Every polygon region of the shared corpus, where it is at hand.
+
+use crate::definition::covered;
+use crate::peer::Grid;
+use pocketry_geom::offset::{BisectorEngine, Offset, OffsetEngine, OffsetOptions, bisector};
+use pocketry_geom::{Region, Segment};
+use pocketry_testkit::corpus::{Record, read, region, shared};
+
+/// The limit that both sides use.
+pub(crate) const LIMIT: f64 = 10.0;
+
+/// How much nearer and farther the other's offsets are taken, as a share of the region's size.
+const NESTING: f64 = 1e-6;
+
+/// What came of one region.
+#[derive(Default)]
+pub(crate) struct Outcome {
+    /// Offsets that nest with the peer's.
+    pub(crate) agree: usize,
+    /// Offsets that do not, where the definition is on our side.
+    pub(crate) peer_wrong: usize,
+    /// What is wrong with ours.
+    pub(crate) wrong: Vec<String>,
+}
+
+/// Compares the offsets at `distances`.
+pub(crate) fn compare(region: &Region, distances: &[f64]) -> Outcome {
+    let engine = BisectorEngine { mitre_limit: Some(LIMIT), ..BisectorEngine::default() };
+    let mut out = Outcome::default();
+    let offsets = match engine.offsets(region, distances, &OffsetOptions::default()) {
+        Ok(offsets) => offsets,
+        Err(e) => {
+            out.wrong.push(e.to_string());
+            return out;
+        }
+    };
+    let bbox = region.bbox();
+    let (grid, step) = (Grid::new(bbox), NESTING * bbox.size());
+    let paths = grid.region(region);
+    for offset in offsets {
+        let d = offset.distance;
+        if let Err(e) = well_formed(&offset) {
+            out.wrong.push(format!("at {d}: {e}"));
+        }
+        let ours = grid.offset(&offset);
+        let too_much = grid.excess(&ours, &grid.inwards(&paths, d - step, LIMIT));
+        let too_little = grid.excess(&grid.inwards(&paths, d + step, LIMIT), &ours);
+        let (extra, lost) = (
+            too_much.filter(|&p| !region.contains(p) || covered(region, p, d - 0.5 * step, LIMIT)),
+            too_little.filter(|&p| region.contains(p) && !covered(region, p, d + 0.5 * step, LIMIT)),
+        );
+        if let Some(p) = extra {
+            out.wrong.push(format!("at {d}: too much at {p:?}"));
+        }
+        if let Some(p) = lost {
+            out.wrong.push(format!("at {d}: lost {p:?}"));
+        }
+        if too_much.is_none() && too_little.is_none() {
+            out.agree += 1;
+        } else if extra.is_none() && lost.is_none() {
+            out.peer_wrong += 1;
+        }
+    }
+    out
+}
+
+/// Loops are closed, and islands lie in boundaries.
+pub(crate) fn well_formed(offset: &Offset) -> Result<(), String> {
+    for l in &offset.loops {
+        let s = &l.contour.segments;
+        if s.len() < 3 || (0..s.len()).any(|k| s[k].end() != s[(k + 1) % s.len()].start()) {
+            return Err("open loop".to_owned());
+        }
+    }
+    let remaining = bisector::remaining(offset);
+    for (contour, parent) in remaining.contours().iter().zip(remaining.parents()) {
+        if (contour.area() > 0.0) != parent.is_none() {
+            return Err(format!("wrong orientation of the loop at {:?}", contour.segments[0].start()));
+        }
+    }
+    Ok(())
+}
+
+fn polygon(record: &Record) -> Option<Region> {
+    let region = region(&record.loops).ok()?;
+    let straight = region.segments().all(|s| matches!(s, Segment::Line(_)));
+    straight.then_some(region)
+}
+
+/// `POCKETRY_LARGEST` raises the limit of edges; the default keeps this test to seconds.
+fn largest() -> usize {
+    std::env::var("POCKETRY_LARGEST").ok().and_then(|n| n.parse().ok()).unwrap_or(400)
+}
+
+#[test]
+fn polygons_of_the_corpus_agree_with_an_independent_mitre_offset() {
+    let Some(shared) = shared() else { return };
+    let (mut total, mut failures, mut regions) = (Outcome::default(), Vec::new(), 0);
+    for family in ["param", "adversarial", "icons", "glyphs", "geo", "pcb", "mesh", "issues", "raw"] {
+        for record in read(&shared.join(format!("corpus/dev/{family}.jsonl"))).expect("a corpus file") {
+            let Some(region) = polygon(&record).filter(|r| r.edge_count() <= largest()) else { continue };
+            regions += 1;
+            let (r, w) = (record.tool_radius, record.interval);
+            let (r, w) = if r > 0.0 { (r, w) } else { (0.02 * region.bbox().size(), 0.03 * region.bbox().size()) };
+            let outcome = compare(&region, &[r, r + w, r + 3.0 * w]);
+            total.agree += outcome.agree;
+            total.peer_wrong += outcome.peer_wrong;
+            if outcome.peer_wrong > 0 {
+                println!("{}: {} where the peer is wrong", record.id, outcome.peer_wrong);
+            }
+            failures.extend(outcome.wrong.into_iter().map(|w| format!("{}: {w}", record.id)));
+        }
+    }
+    println!("{regions} regions, {} offsets agree, {} where the peer is wrong", total.agree, total.peer_wrong);
+    assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
+}
