@@ -26,6 +26,8 @@ pub(crate) enum Command {
     Skeleton(SkeletonArgs),
     /// Judge a program against a drawing: gouges, uncut material, rapid moves in the stock.
     Verify(VerifyArgs),
+    /// Cut a model (STL, OBJ, 3MF) at heights and write the contours as DXF, SVG or region JSON lines.
+    Slice(SliceArgs),
     /// Say what is in a drawing: contours, areas, the largest tool that fits.
     Info(InfoArgs),
 }
@@ -255,6 +257,22 @@ pub(crate) struct VerifyArgs {
     pub(crate) report: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) drawing: DrawingArgs,
+}
+
+/// `pocketry slice`.
+#[derive(Args, Debug)]
+pub(crate) struct SliceArgs {
+    /// The model: STL, OBJ or 3MF.
+    pub(crate) input: PathBuf,
+    /// Heights of the planes, mm, separated by commas.
+    #[arg(short, long, value_name = "MM,...", value_delimiter = ',', required = true, allow_hyphen_values = true, value_parser = number)]
+    pub(crate) z: Vec<f64>,
+    /// File to write; its ending (.dxf, .svg, .jsonl) says in which form [default: JSON lines to standard output].
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+    /// The model's unit (mm, in, ...), where the file does not say or says wrong.
+    #[arg(long, value_name = "UNIT")]
+    pub(crate) units: Option<Units>,
 }
 
 /// `pocketry info`.

@@ -7,6 +7,7 @@ mod drawing;
 mod failure;
 mod info;
 mod job;
+mod model;
 mod offset;
 mod output;
 mod picture;
@@ -14,6 +15,7 @@ mod pocket;
 mod report;
 mod settings;
 mod skeleton;
+mod slice;
 mod verify;
 
 use args::{Cli, Command};
@@ -40,6 +42,7 @@ fn run(command: &Command) -> Result<Exit, Failure> {
         Command::Offset(args) => offset::run(args)?,
         Command::Skeleton(args) => skeleton::run(args)?,
         Command::Verify(args) => verify::run(args)?,
+        Command::Slice(args) => slice::run(args)?,
         Command::Info(args) => info::run(args)?,
     }
     Ok(Exit::Done)
