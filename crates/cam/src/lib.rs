@@ -8,6 +8,8 @@
 pub mod job;
 mod link;
 pub mod plan;
+pub mod rough;
+pub mod surface;
 
 pub use job::{Entry, PocketJob};
 pub use plan::{EntryKind, Group, Link, LinkKind, Plan, PlanError, PlannedLoop, Warning, plan};

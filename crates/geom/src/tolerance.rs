@@ -236,3 +236,19 @@ pub mod skeleton {
     /// Width, of an interval from 0 to 1, at which a bisection has converged.
     pub const BISECTION: f64 = 1e-18;
 }
+
+/// Tolerances of the CL-surface and of what is made of it.
+pub mod surface {
+    /// How far the contour lines of a CL-surface may lie from it in the plane, mm: that of written programs.
+    pub const CONTOUR: f64 = super::GOUGE;
+    /// How far the simplified contour lines may lie from the full ones, mm.
+    pub const SIMPLIFY: f64 = super::GOUGE;
+    /// How far inside its contour lines the tool's axis stays in roughing, mm: what both of the above may take.
+    pub const INSET: f64 = CONTOUR + SIMPLIFY;
+    /// A touch point counts as inside a facet up to this share of its area beyond a side: some thousand times the rounding.
+    pub const INSIDE: f64 = 1e-12;
+    /// Steps of the search for a contact along an edge; some ten reach rounding.
+    pub const CONTACT_STEPS: usize = 60;
+    /// Share of the contour tolerance to which a point of a contour line is settled.
+    pub const SETTLED: f64 = 0.05;
+}

@@ -28,6 +28,7 @@ use pocketry_geom::offset::degenerate_slack;
 use pocketry_geom::skeleton::Skeleton;
 use pocketry_geom::skeleton::trees::Trees;
 
+pub(crate) use moves::{Writer, helix_of, ramp_of};
 pub(crate) use track::{Cut, Landing, Track};
 
 pub use report::{EntryKind, Group, Link, LinkKind, Plan, PlanError, PlannedLoop, Warning};
@@ -40,9 +41,14 @@ const MOST_LEVELS: f64 = 100_000.0;
 /// # Errors
 /// When the job asks for the impossible, or the tool fits nowhere in the region.
 pub fn plan(region: &Region, skeleton: &Skeleton, job: &PocketJob) -> Result<Plan, PlanError> {
+    plan_from(region, skeleton, job, job.first_distance())
+}
+
+/// The same with the first loops at distance `first` from the boundary: next to nothing where that bounds the tool's centre.
+pub(crate) fn plan_from(region: &Region, skeleton: &Skeleton, job: &PocketJob, first: f64) -> Result<Plan, PlanError> {
     job.check()?;
     let mut warnings = Vec::new();
-    let (first, stepover) = (job.first_distance(), clamped_stepover(job, &mut warnings));
+    let stepover = clamped_stepover(job, &mut warnings);
     let highest = skeleton.vertices().iter().map(|v| v.clearance).fold(0.0, f64::max);
     if region.contours().is_empty() || highest < first - degenerate_slack(first) {
         let largest = (2.0 * (highest - job.stock_to_leave)).max(0.0);
