@@ -11,6 +11,9 @@ use pocketry_io::post::{Dialect, LinuxCnc, PostError, PostOptions};
 use pocketry_motion::{Direction, Figures};
 use pocketry_verify::VerifyOptions;
 
+/// Why there is no file.
+pub(crate) const NOT_WRITTEN: &str = "the program is not proven and was not written; please report it with the drawing";
+
 /// A program that may be written.
 pub(crate) struct Proven {
     pub(crate) setup: Setup,
@@ -41,8 +44,9 @@ pub(crate) fn run(drawing: &Drawing, settings: &Settings, report: &mut JobReport
     report.set_proof(&proof);
     report.details = Some(details(&setup, &plan, &figures, &proof));
     if !proof.is_proven() {
-        let message = "the program is not proven and was not written; please report it with the drawing";
-        return Err(Failure::new(Exit::NotProven, NOT_PROVEN, summary(message, &proof)).with_details(places(&proof)));
+        return Err(
+            Failure::new(Exit::NotProven, NOT_PROVEN, summary(NOT_WRITTEN, &proof)).with_details(places(&proof))
+        );
     }
     report.status = Status::Proven;
     Ok(Proven { setup, skeleton, plan, figures, text, proof })
@@ -65,7 +69,7 @@ fn write(plan: &Plan, figures: &Figures, setup: &Setup, id: &str) -> Result<Stri
     LinuxCnc.write(&plan.program, &options).map_err(|e| post_failure(&e))
 }
 
-fn post_failure(error: &PostError) -> Failure {
+pub(crate) fn post_failure(error: &PostError) -> Failure {
     let (exit, kind) = match error {
         PostError::Fault(_) => (Exit::NotProven, "program"),
         PostError::TooLarge { .. } => (Exit::BadInput, "too-large"),

@@ -13,6 +13,8 @@ mod output;
 mod picture;
 mod pocket;
 mod report;
+mod rough;
+mod rough_picture;
 mod settings;
 mod skeleton;
 mod slice;
@@ -42,6 +44,7 @@ fn run(command: &Command) -> Result<Exit, Failure> {
         Command::Offset(args) => offset::run(args)?,
         Command::Skeleton(args) => skeleton::run(args)?,
         Command::Verify(args) => verify::run(args)?,
+        Command::Rough(args) => rough::run(args)?,
         Command::Slice(args) => slice::run(args)?,
         Command::Info(args) => info::run(args)?,
     }

@@ -170,6 +170,13 @@ pub mod proof {
     /// Heights nearer than this are the same height, mm.
     pub const SAME_HEIGHT: f64 = 1e-6;
 
+    /// How deep a roughing program may enter the model, or the stock to leave, along the normal, mm.
+    pub const ROUGH_GOUGE: f64 = 0.01;
+
+    /// The deepest point of an edge inside a cutter is sought to within this, mm: depth changes no faster, so that is its error
+    /// at most, a hundredth of [`ROUGH_GOUGE`].
+    pub const NARROWED: f64 = 1e-4;
+
     /// Two curves that turn back on one another within this angle make a cusp, where the sign of the turn tells nothing.
     pub const CUSP: f64 = 1e-6;
 }
@@ -245,6 +252,8 @@ pub mod surface {
     pub const SIMPLIFY: f64 = super::GOUGE;
     /// How far inside its contour lines the tool's axis stays in roughing, mm: what both of the above may take.
     pub const INSET: f64 = CONTOUR + SIMPLIFY;
+    /// The tip may go this much below the CL-surface, mm, so that rounding does not lose a floor at a level's very height.
+    pub const LEVEL: f64 = 1e-6;
     /// A touch point counts as inside a facet up to this share of its area beyond a side: some thousand times the rounding.
     pub const INSIDE: f64 = 1e-12;
     /// Steps of the search for a contact along an edge; some ten reach rounding.

@@ -4,7 +4,7 @@ use super::job::{RoughError, RoughJob};
 use crate::plan::{Group, Link, Plan, PlanError, PlannedLoop, plan_from};
 use crate::surface::{ClSurface, HeightGrid};
 use pocketry_geom::skeleton::Skeleton;
-use pocketry_geom::tolerance::surface::INSET;
+use pocketry_geom::tolerance::surface::{INSET, LEVEL};
 use pocketry_geom::{Contour, Region};
 
 /// The tool must reach this share of its radius into the stock for a part of a level to be cut.
@@ -37,7 +37,7 @@ pub(super) fn plan_level(
     z: f64,
 ) -> Result<Level, RoughError> {
     let admits = |p| job.stock.distance(p) < job.overhang();
-    let free = grid.free_region(surface, z, &admits).map_err(|error| RoughError::Region { z, error })?;
+    let free = grid.free_region(surface, z + LEVEL, &admits).map_err(|error| RoughError::Region { z, error })?;
     let mut level = Level { z, top, region: with_stock(&free, job), ..Level::default() };
     if level.region.contours().is_empty() {
         return Ok(level);
