@@ -334,7 +334,8 @@ pub(crate) struct RoughArgs {
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Cutting")]
 pub(crate) struct RoughCutArgs {
-    /// Distance between loops, mm or a percentage of the diameter; at most the radius [default: 45%].
+    /// Distance between loops, mm or a percentage of the diameter; at most the radius [default: 45%, or less where
+    /// the cutter's shape would leave more than a quarter of the stepdown between loops].
     #[arg(long, value_name = "MM|%")]
     pub(crate) stepover: Option<Stepover>,
     /// Largest distance of levels, mm; levels are equal [default: the tool's radius].

@@ -5,7 +5,7 @@ use crate::console::{self, duration, figure};
 use crate::failure::{Exit, Failure};
 use crate::job::NOT_WRITTEN;
 use crate::model;
-use crate::output::{Outputs, print};
+use crate::output::{Outputs, print, write_file};
 use crate::rough_picture;
 use crate::settings::Settings;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -34,6 +34,13 @@ struct Report<'a> {
     plan_seconds: f64,
     proof_seconds: f64,
     warnings: &'a [String],
+}
+
+impl Report<'_> {
+    fn to_pretty(&self) -> String {
+        // Numbers, strings and lists only: this can't fail.
+        serde_json::to_string_pretty(self).unwrap_or_default() + "\n"
+    }
 }
 
 pub(crate) fn run(args: &RoughArgs) -> Result<(), Failure> {
@@ -74,6 +81,9 @@ pub(crate) fn run(args: &RoughArgs) -> Result<(), Failure> {
     if !proof.is_proven() {
         let complaints = proof.complaints();
         let first = complaints.first().cloned().unwrap_or_default();
+        if let Some(path) = &args.report {
+            write_file(path, &report.to_pretty())?;
+        }
         return Err(
             Failure::new(Exit::NotProven, "not-proven", format!("{NOT_WRITTEN}: {first}")).with_details(complaints)
         );
@@ -86,8 +96,7 @@ pub(crate) fn run(args: &RoughArgs) -> Result<(), Failure> {
         }
     }
     if let Some(path) = &args.report {
-        // Numbers, strings and lists only: this can't fail.
-        outputs.add(path, &(serde_json::to_string_pretty(&report).unwrap_or_default() + "\n"))?;
+        outputs.add(path, &report.to_pretty())?;
     }
     outputs.commit()?;
     print(&said(&report))
@@ -109,9 +118,10 @@ fn job(args: &RoughArgs, mesh: &Mesh) -> Result<(RoughJob, OutputUnit), Failure>
         None => Block::around(mesh, args.margin),
     };
     let usual = RoughJob::new(args.tool, args.cutter, stock);
+    let usual_stepover = RoughJob::usual_stepover(args.cutter, args.tool, setup.job.stepdown);
     let job = RoughJob {
         tool: setup.job.tool,
-        stepover: setup.job.stepover,
+        stepover: args.cut.stepover.map_or(usual_stepover, |_| setup.job.stepover),
         stepdown: setup.job.stepdown,
         stock_to_leave: setup.job.stock_to_leave,
         direction: setup.job.direction,

@@ -256,8 +256,10 @@ pub mod surface {
     pub const LEVEL: f64 = 1e-6;
     /// A touch point counts as inside a facet up to this share of its area beyond a side: some thousand times the rounding.
     pub const INSIDE: f64 = 1e-12;
+    /// The height asked for by an edge is known to this, mm: a thousandth of what levels may be off.
+    pub const CONTACT: f64 = 1e-9;
     /// Steps of the search for a contact along an edge; some ten reach rounding.
     pub const CONTACT_STEPS: usize = 60;
     /// Share of the contour tolerance to which a point of a contour line is settled.
-    pub const SETTLED: f64 = 0.05;
+    pub const SETTLED: f64 = 0.1;
 }

@@ -3,6 +3,7 @@
 use crate::PocketJob;
 use crate::job::Entry;
 use crate::plan::PlanError;
+use crate::surface::stepover_for;
 use pocketry_geom::mesh::{Corner, Mesh, above};
 use pocketry_geom::repair::RegionError;
 use pocketry_geom::skeleton::SkeletonError;
@@ -95,7 +96,7 @@ impl RoughJob {
             tool: pocket.tool,
             cutter,
             stock,
-            stepover: pocket.stepover,
+            stepover: Self::usual_stepover(cutter, diameter, pocket.stepdown),
             stepdown: pocket.stepdown,
             stock_to_leave: 0.0,
             direction: pocket.direction,
@@ -105,6 +106,17 @@ impl RoughJob {
             cell: pocket.tool.radius() / Self::NODES_PER_RADIUS,
             engine: Engine::default(),
         }
+    }
+
+    /// The share of the stepdown that may stand between loops where no stepover is asked for.
+    const SCALLOP: f64 = 0.25;
+
+    /// The usual distance of loops, mm: that of flat tools, or less where the cutter's shape would leave more than
+    /// a quarter of the stepdown between them.
+    pub fn usual_stepover(cutter: Cutter, diameter: f64, stepdown: f64) -> f64 {
+        let radius = 0.5 * diameter;
+        let flat = PocketJob::DEFAULT_STEPOVER * radius;
+        if cutter.fits(radius) { flat.min(stepover_for(cutter, radius, Self::SCALLOP * stepdown)) } else { flat }
     }
 
     /// How far the centre may go beyond the stock, mm.

@@ -144,16 +144,36 @@ impl Tracer<'_> {
         if self.is_free_node(i, j) { self.settle(a, b) } else { self.settle(b, a) }
     }
 
-    /// The last free point on the way from a free point to one that is not.
-    fn settle(&self, mut free: Point, mut taken: Point) -> Point {
-        while free.distance(taken) > SETTLED * CONTOUR {
-            let middle = free.midpoint(taken);
-            if middle == free || middle == taken {
+    /// The last free point on the way from a free point to one that is not, to a share of the tolerance.
+    ///
+    /// Guesses by the heights of both, a little to either side of what they say, so that a smooth surface is bracketed in a
+    /// few steps; halves where that does not help, as at cliffs.
+    fn settle(&self, free: Point, taken: Point) -> Point {
+        let whole = free.distance(taken);
+        let near = SETTLED * CONTOUR / whole;
+        let height = |t: f64| {
+            let p = free.lerp(taken, t);
+            if (self.admits)(p) { self.surface.height(p) - self.z } else { f64::INFINITY }
+        };
+        let (mut low, mut high) = (0.0, 1.0);
+        let (mut at_low, mut at_high) = (height(low), height(high));
+        let (mut halve, mut side) = (false, -1.0);
+        while high - low > near {
+            let guess = low + (high - low) * at_low / (at_low - at_high) + 0.4 * side * near;
+            let inside = (low + 0.2 * near..=high - 0.2 * near).contains(&guess);
+            let t = if halve || !inside { 0.5 * (low + high) } else { guess };
+            if t <= low || t >= high {
                 break;
             }
-            if self.is_free(middle) { free = middle } else { taken = middle }
+            let (before, at) = (high - low, height(t));
+            if at <= 0.0 {
+                (low, at_low, side) = (t, at, 1.0);
+            } else {
+                (high, at_high, side) = (t, at, -1.0);
+            }
+            halve = !halve && high - low > 0.5 * before;
         }
-        free
+        free.lerp(taken, low)
     }
 
     /// Step 4: the points between two points of a cell's line, pushed in order.

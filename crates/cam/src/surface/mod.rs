@@ -39,7 +39,8 @@ impl ClSurface {
     /// The surface of a model for a cutter of this radius that leaves `leave` (mm) of material everywhere.
     pub fn new(mesh: &Mesh, cutter: Cutter, radius: f64, leave: f64) -> Self {
         let profile = Profile::new(cutter, radius, leave);
-        let planes: Vec<Option<Facet>> = (0..mesh.facets().len()).map(|f| Facet::new(mesh.corners(f))).collect();
+        let planes: Vec<Option<Facet>> =
+            (0..mesh.facets().len()).map(|f| Facet::new(mesh.corners(f), &profile)).collect();
         let edges: Vec<[Corner; 2]> =
             ridges(mesh, &planes).map(|e| mesh.edges()[e].map(|v| mesh.vertices()[v as usize])).collect();
         let solid = |f: &usize| planes[*f].is_some();
@@ -70,9 +71,9 @@ impl ClSurface {
             if rho <= self.profile.radius() && item.top - self.profile.height(rho) > best {
                 let k = item.index as usize;
                 let tip = if item.is_edge {
-                    edge_tip(&self.profile, c, self.edges[k][0], self.edges[k][1])
+                    edge_tip(&self.profile, c, self.edges[k], best)
                 } else {
-                    self.facets[k].tip(&self.profile, c)
+                    self.facets[k].tip(c, best)
                 };
                 best = tip.map_or(best, |t| best.max(t));
             }
@@ -82,9 +83,14 @@ impl ClSurface {
     }
 }
 
-/// How high a ridge stands between loops this far apart, mm.
+/// How high the cutter's shape lets material stand between loops this far apart, and within the innermost ones, mm.
 pub(crate) fn scallop(cutter: Cutter, radius: f64, stepover: f64) -> f64 {
-    Profile::new(cutter, radius, 0.0).height((0.5 * stepover).min(radius))
+    Profile::new(cutter, radius, 0.0).height(stepover.min(radius))
+}
+
+/// The distance of loops at which the cutter's shape lets material stand so high, mm; at most the radius.
+pub(crate) fn stepover_for(cutter: Cutter, radius: f64, scallop: f64) -> f64 {
+    Profile::new(cutter, radius, 0.0).reach(scallop)
 }
 
 /// The edges that a cutter can touch where it touches none of the facets inside: not those in a valley or a plane.

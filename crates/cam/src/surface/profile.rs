@@ -54,6 +54,19 @@ impl Profile {
         if rho <= self.shoulder { rise } else { rise + self.slope * (rho - self.shoulder) }
     }
 
+    /// How far from the axis the outline has risen by `height` (mm), at most the radius.
+    pub(crate) fn reach(&self, height: f64) -> f64 {
+        let at_shoulder = self.height(self.shoulder);
+        let rho = if height < at_shoulder {
+            self.flat + (self.corner * self.corner - (self.corner - height).powi(2)).max(0.0).sqrt()
+        } else if self.slope.is_finite() {
+            self.shoulder + (height - at_shoulder) / self.slope
+        } else {
+            self.radius
+        };
+        rho.min(self.radius)
+    }
+
     /// Slope at distance `rho`; infinite at the end of a corner that runs into the shaft.
     pub(crate) fn slope(&self, rho: f64) -> f64 {
         if rho <= self.flat {
@@ -104,6 +117,7 @@ mod tests {
                 let (rho, step) = (0.1 * f64::from(k), 1e-6);
                 let rate = (p.height(rho + step) - p.height(rho - step)) / (2.0 * step);
                 assert!((rate - p.slope(rho)).abs() < 1e-3 * (1.0 + rate), "{cutter:?} {rho}");
+                assert!(p.height(rho) == 0.0 || (p.reach(p.height(rho)) - rho).abs() < 1e-6, "{cutter:?} {rho}");
                 if p.slope(rho) > 0.0 && p.slope(rho) < p.slope {
                     assert!((p.contact(p.slope(rho)) - rho).abs() < 1e-9, "{cutter:?} {rho}");
                 }

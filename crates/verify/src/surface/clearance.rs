@@ -1,8 +1,9 @@
 //! How deep the cutter stands in the model, measured along the normal, at one place of its tip.
 //!
 //! Two ways to touch are looked at. An *edge's* point inside the cutter lies as deep as it is from the cutter's surface; along an edge that is a
-//! concave function, so that its top is found by narrowing. A *facet* above the cutter's point that reaches deepest below the facet's
-//! plane is cut as deep as that point lies below the plane. Vertical facets are bounded by edges. The greatest of all is the gouge;
+//! concave function, so that its top is found by narrowing. A *facet*
+//! meets the cutter first at the point that reaches deepest below the facet's plane, where that point's foot lies in the facet (or, once
+//! it is below, where the facet lies above it). Vertical facets are bounded by edges. The greatest of all is the gouge;
 //! where it is negative, nothing is nearer to the cutter than that.
 
 use super::body::Body;
@@ -111,7 +112,8 @@ impl Clearance {
             let at = [p.x + low[0], p.y + low[1], z + low[2]];
             let a = facet.corners[0];
             let depth = n[0] * (a[0] - at[0]) + n[1] * (a[1] - at[1]) + n[2] * (a[2] - at[2]);
-            if depth > most && facet.is_above(above(at)) {
+            let foot = [0, 1, 2].map(|k| at[k] + depth * n[k]);
+            if depth > most && facet.is_above(above(if depth > 0.0 { at } else { foot })) {
                 most = depth;
             }
         }
@@ -129,6 +131,9 @@ impl Clearance {
             self.body.depth(p.distance(above(c)), c[2] - z)
         };
         let (mut low, mut high) = (0.0, 1.0);
+        if at(0.5) + 0.5 * length <= most {
+            return most;
+        }
         let mut best = f64::max(at(0.0), at(1.0));
         while (high - low) * length > NARROWED {
             let (s, t) = (low + (high - low) / 3.0, high - (high - low) / 3.0);

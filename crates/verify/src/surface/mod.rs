@@ -86,7 +86,7 @@ pub fn verify_rough(mesh: &Mesh, program: &str, options: &RoughOptions) -> Resul
     let trace = gcode::read(program)?;
     let limits = Limits::new(&trace, options.stock_high[2]);
     let body = Body::new(options.cutter, options.tool_radius);
-    let horizon = options.tool_radius.min(options.stock_to_leave + 2.0 * options.detail);
+    let horizon = options.stock_to_leave + 0.5 * options.tool_radius;
     let clearance = Clearance::new(mesh, body, horizon);
     let gouges = gouges(&trace, &clearance, options);
 
@@ -111,7 +111,7 @@ pub fn verify_rough(mesh: &Mesh, program: &str, options: &RoughOptions) -> Resul
         leftover: levels.iter().filter_map(|l| l.leftover).max_by(|a, b| a.height.total_cmp(&b.height)),
         levels,
         gouge_tolerance: options.gouge_tolerance,
-        scallop: body.floor((0.5 * options.stepover).min(options.tool_radius)),
+        scallop: body.floor(options.stepover.min(options.tool_radius)),
         rapids_below: limits.rapids_below,
         unknown_height: limits.unknown_height,
         unbounded_blending: trace.unbounded_blending,
@@ -120,41 +120,62 @@ pub fn verify_rough(mesh: &Mesh, program: &str, options: &RoughOptions) -> Resul
     })
 }
 
+/// Motions that one thread walks in a row; fixed, so that the result does not hang on the number of threads.
+const CHUNK: usize = 256;
+
 /// For every motion below the stock's top that enters the model (or what must stay on it) the place where it does so deepest.
 fn gouges(trace: &Trace, clearance: &Clearance, options: &RoughOptions) -> Vec<RoughGouge> {
-    let below = |m: &&Motion| m.low() < options.stock_high[2];
-    let motions: Vec<&Motion> = trace.motions.iter().filter(below).collect();
-    let of = |m: &&Motion| walk(trace, m, clearance, options);
-    motions.par_iter().filter_map(of).collect()
+    let walk = |chunk: &[Motion]| {
+        let mut walker = Walker { trace, clearance, options, room: 0.0, found: Vec::new() };
+        chunk.iter().for_each(|m| walker.follow(m));
+        walker.found
+    };
+    trace.motions.par_chunks(CHUNK).flat_map_iter(walk).collect()
 }
 
-/// Leads the tip along a motion.
-fn walk(trace: &Trace, m: &Motion, clearance: &Clearance, options: &RoughOptions) -> Option<RoughGouge> {
-    let curves = trace.curves_of(m);
-    let total: f64 = curves.iter().map(Segment::length).sum();
-    let fall = m.to.z - m.from.z;
-    let length = total.hypot(fall);
-    let mut worst: Option<RoughGouge> = None;
-    let mut judge = |p: Point, z: f64| {
-        let depth = clearance.depth(p, z) + m.slack;
-        // Into the stock to leave is a gouge, too.
-        let into = depth + options.stock_to_leave;
-        if into > 0.0 && worst.is_none_or(|w| into > w.into) {
-            worst = Some(RoughGouge { depth, into, at: p, z, line: m.line });
+/// Leads the tip along motions in a row.
+struct Walker<'a> {
+    trace: &'a Trace,
+    clearance: &'a Clearance,
+    options: &'a RoughOptions,
+    /// How far the tip may still go before it could touch, mm.
+    room: f64,
+    found: Vec<RoughGouge>,
+}
+
+impl Walker<'_> {
+    fn follow(&mut self, m: &Motion) {
+        if m.low() >= self.options.stock_high[2] {
+            self.room = 0.0;
+            return;
         }
-        depth
-    };
-    if m.is_vertical() {
-        judge(m.to.xy(), m.low());
-        return worst;
+        let curves = self.trace.curves_of(m);
+        let total: f64 = curves.iter().map(Segment::length).sum();
+        // From the air, only the lower end of a straight descent counts.
+        let from = if m.from.z.is_finite() { m.from.z } else { m.to.z };
+        let fall = m.to.z - from;
+        let length = total.hypot(fall);
+        let mut worst: Option<RoughGouge> = None;
+        let mut run = self.room;
+        let mut judge = |p: Point, z: f64| {
+            let depth = self.clearance.depth(p, z) + m.slack;
+            let into = depth + self.options.stock_to_leave;
+            if into > 0.0 && worst.is_none_or(|w| into > w.into) {
+                worst = Some(RoughGouge { depth, into, at: p, z, line: m.line });
+            }
+            into
+        };
+        if m.is_vertical() {
+            run = length - judge(m.to.xy(), m.low()).min(0.0);
+        }
+        while run <= length {
+            let share = if length > 0.0 { run / length } else { 1.0 };
+            let (p, z) = place(curves, total, share, from, fall);
+            run += self.options.step.max(-judge(p, z));
+        }
+        self.room = run - length;
+        self.found.extend(worst);
     }
-    let mut run = 0.0;
-    while run < length {
-        let (p, z) = place(curves, total, run / length, m.from.z, fall);
-        run += options.step.max(-judge(p, z) - options.stock_to_leave);
-    }
-    judge(m.to.xy(), m.to.z);
-    worst
 }
 
 /// The place at a share of a motion's way.

@@ -68,7 +68,7 @@ pub struct RoughReport {
     pub levels: Vec<LevelReport>,
     /// How deep the cutter may enter the model, and as much the stock to leave, mm.
     pub gouge_tolerance: f64,
-    /// What the cutter's shape leaves between loops, mm.
+    /// What the cutter's shape leaves between loops and within the innermost ones at most, mm.
     pub scallop: f64,
     /// Rapid moves below the stock's top, straight retracts apart.
     pub rapids_below: Vec<Violation>,
