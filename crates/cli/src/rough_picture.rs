@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 /// The pictures with their files: `plot.svg` in projection, and `plot-01.svg`, `plot-02.svg`, ... from the top.
 pub(crate) fn all(path: &Path, name: &str, mesh: &Mesh, plan: &RoughPlan, job: &RoughJob) -> Vec<(PathBuf, String)> {
     let heights: Vec<f64> = plan.levels.iter().map(|l| l.z).collect();
-    let sections = slices(mesh, &heights, &SliceOptions::default());
+    let sections = slices(mesh, &heights, SliceOptions::default());
     let mut pictures = vec![(path.to_owned(), projected(name, plan).to_svg())];
     for (k, (level, section)) in plan.levels.iter().zip(sections).enumerate() {
         let section = section.map(|s| s.region).unwrap_or_default();

@@ -38,7 +38,7 @@ pub(crate) fn run(args: &SliceArgs) -> Result<(), Failure> {
     let mesh = model::read(&args.input, args.units)?;
     let name = args.input.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let mut made = Vec::new();
-    for (&z, slice) in args.z.iter().zip(slices(&mesh, &args.z, &SliceOptions::default())) {
+    for (&z, slice) in args.z.iter().zip(slices(&mesh, &args.z, SliceOptions::default())) {
         let slice = slice.map_err(|e| model::crossing(z, &e))?;
         console::warnings(&remarks(&slice));
         made.push(slice);

@@ -20,7 +20,7 @@ pub(super) fn write(levels: &[Level], job: &RoughJob) -> Program {
             if groups.iter().any(|steps| outside(steps, job).is_some()) {
                 out.open_pocket(level, pocket, &groups, &walls);
             } else {
-                pocket.iter().zip(&groups).for_each(|(group, steps)| out.from_within(level, group, steps));
+                pocket.iter().zip(&groups).for_each(|(group, steps)| out.enter_within(level, group, steps));
             }
         }
     }
@@ -89,7 +89,7 @@ impl Out<'_> {
     }
 
     /// Down by helix or ramp, then loop by loop from the innermost.
-    fn from_within(&mut self, level: &Level, group: &Group, steps: &[Step<'_>]) {
+    fn enter_within(&mut self, level: &Level, group: &Group, steps: &[Step<'_>]) {
         let Some(first) = steps.first() else { return };
         let z = level.z;
         // What the level above left between its loops is cut on the way down.
@@ -111,11 +111,11 @@ impl Out<'_> {
     fn open_pocket(&mut self, level: &Level, groups: &[Group], steps: &[Vec<Step<'_>>], walls: &Boundary) {
         for (group, steps) in groups.iter().zip(steps).rev() {
             if let Some((k, at)) = outside(steps, self.job) {
-                self.from_outside(level.z, steps, k, at);
+                self.enter_outside(level.z, steps, k, at);
             } else if let Some(beside) = self.beside(steps, &level.region, walls) {
-                self.from_beside(level.z, steps, beside);
+                self.enter_beside(level.z, steps, beside);
             } else {
-                self.from_within(level, group, steps);
+                self.enter_within(level, group, steps);
             }
         }
     }
@@ -132,7 +132,7 @@ impl Out<'_> {
     }
 
     /// Down at a place that is cut already, sideways onto the outermost loop, and inwards from it.
-    fn from_beside(&mut self, z: f64, steps: &[Step<'_>], beside: Point) {
+    fn enter_beside(&mut self, z: f64, steps: &[Step<'_>], beside: Point) {
         let Some((last, start)) = steps.last().and_then(|s| Some((s, s.path.first()?.start()))) else { return };
         self.approach(beside, z);
         self.follow(std::iter::once(&Segment::line(beside, start)).chain(last.path), z);
@@ -150,7 +150,7 @@ impl Out<'_> {
     /// Down beside the stock onto loop `k`, then inwards to the first loop; and once more, outwards from it, if there is more.
     ///
     /// Loops are closed, so a group can be cut from any of its loops in both directions, ways run backwards.
-    fn from_outside(&mut self, z: f64, steps: &[Step<'_>], k: usize, at: usize) {
+    fn enter_outside(&mut self, z: f64, steps: &[Step<'_>], k: usize, at: usize) {
         let lead = &steps[k].path[at..];
         let start = lead[0].start();
         self.approach(start, z);

@@ -87,7 +87,7 @@ pub(super) fn edge_tip(profile: &Profile, c: Point, [a, b]: [Corner; 2], known: 
     let (low, high) = (start.max(-half), (start + length).min(half));
     let rise = (b[2] - a[2]) / length;
     let edge = Edge { profile, off_squared: off * off, rise, foot: a[2] - rise * start };
-    if low > high { None } else { edge.highest(low, high, known) }
+    (low <= high).then(|| edge.highest(low, high, known))
 }
 
 /// The tip that each place along an edge asks for: a concave function.
@@ -115,15 +115,15 @@ impl Edge<'_> {
         self.rise - if slope == 0.0 || s == 0.0 { 0.0 } else { slope * (s / rho) }
     }
 
-    /// The highest tip in `low..=high`, if above `known`: by the Illinois method, halving where a rate is infinite. A tangent
+    /// The highest tip in `low..=high`, or one not above `known` where there is none: by the Illinois method, halving where a rate is infinite. A tangent
     /// bounds a concave function, which tells early where there is nothing to be found, and when it has been.
-    fn highest(&self, mut low: f64, mut high: f64, known: f64) -> Option<f64> {
+    fn highest(&self, mut low: f64, mut high: f64, known: f64) -> f64 {
         let (mut at_low, mut at_high) = (self.rate(low), self.rate(high));
         if at_low <= 0.0 {
-            return Some(self.tip(low));
+            return self.tip(low);
         }
         if at_high >= 0.0 {
-            return Some(self.tip(high));
+            return self.tip(high);
         }
         let mut best = f64::NEG_INFINITY;
         let (mut low_weight, mut high_weight) = (1.0, 1.0);
@@ -147,6 +147,6 @@ impl Edge<'_> {
                 (high, at_high, high_weight, low_weight) = (s, at, 1.0, 0.5 * low_weight);
             }
         }
-        Some(best)
+        best
     }
 }

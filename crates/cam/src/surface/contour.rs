@@ -95,14 +95,15 @@ impl Tracer<'_> {
 
     /// Step 1, from the grid's own heights.
     fn is_free_node(&self, i: isize, j: isize) -> bool {
-        let inside = (0..self.grid.columns() as isize).contains(&i) && (0..self.grid.rows() as isize).contains(&j);
+        let inside =
+            (0..self.grid.columns().cast_signed()).contains(&i) && (0..self.grid.rows().cast_signed()).contains(&j);
         inside && self.grid.height(i as usize, j as usize) <= self.z && (self.admits)(self.grid.place(i, j))
     }
 
     /// Step 2: for each crossing the next one and the cell between them.
     fn links(&self) -> BTreeMap<GridEdge, (GridEdge, (isize, isize))> {
         let mut next = BTreeMap::new();
-        let (columns, rows) = (self.grid.columns() as isize, self.grid.rows() as isize);
+        let (columns, rows) = (self.grid.columns().cast_signed(), self.grid.rows().cast_signed());
         let row = |j: isize| -> Vec<bool> { (-1..=columns).map(|i| self.is_free_node(i, j)).collect() };
         let mut low = row(-1);
         for j in -1..rows {

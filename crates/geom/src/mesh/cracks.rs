@@ -16,7 +16,7 @@ pub(super) struct Cracks {
 /// a grid of cells as wide as the tolerance.
 pub(super) fn join(mesh: &Mesh, tolerance: f64) -> Cracks {
     let mut cracks = Cracks { names: (0..mesh.vertices.len() as u32).collect(), joined: 0, farthest: 0.0 };
-    if !(tolerance > 0.0) {
+    if tolerance.is_nan() || tolerance <= 0.0 {
         return cracks;
     }
     let mut open: Vec<u32> = open_edges(mesh).flatten().collect();
@@ -27,7 +27,7 @@ pub(super) fn join(mesh: &Mesh, tolerance: f64) -> Cracks {
     for v in open {
         let at = mesh.vertices[v as usize];
         let [i, j, k] = cell(at);
-        let near = (0..27_i64).flat_map(|n| grid.get(&[i + n % 3 - 1, j + n / 3 % 3 - 1, k + n / 9 - 1])).flatten();
+        let near = (0..27_i64).filter_map(|n| grid.get(&[i + n % 3 - 1, j + n / 3 % 3 - 1, k + n / 9 - 1])).flatten();
         let apart = |u: u32| distance(mesh.vertices[u as usize], at);
         match near.copied().map(|u| (apart(u), u)).filter(|n| n.0 <= tolerance).min_by(|a, b| a.0.total_cmp(&b.0)) {
             Some((moved, u)) => {

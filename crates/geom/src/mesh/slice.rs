@@ -65,7 +65,7 @@ pub struct Slice {
 ///
 /// # Errors
 /// For each height by itself: contours that cross, where the mesh runs through itself.
-pub fn slices(mesh: &Mesh, heights: &[f64], options: &SliceOptions) -> Vec<Result<Slice, RegionError>> {
+pub fn slices(mesh: &Mesh, heights: &[f64], options: SliceOptions) -> Vec<Result<Slice, RegionError>> {
     let crossed = sweep(mesh, heights);
     heights.par_iter().zip(crossed).map(|(&z, facets)| slice_of(mesh, z, &facets, options)).collect()
 }
@@ -86,7 +86,7 @@ fn sweep(mesh: &Mesh, heights: &[f64]) -> Vec<Vec<u32>> {
     crossed
 }
 
-fn slice_of(mesh: &Mesh, z: f64, facets: &[u32], options: &SliceOptions) -> Result<Slice, RegionError> {
+fn slice_of(mesh: &Mesh, z: f64, facets: &[u32], options: SliceOptions) -> Result<Slice, RegionError> {
     let segments: Vec<[u32; 2]> = facets.iter().map(|&f| segment_of(mesh, z, f as usize)).collect();
     let mut chains = chained(&segments);
     let mut slice = Slice { z, ..Slice::default() };
@@ -97,7 +97,7 @@ fn slice_of(mesh: &Mesh, z: f64, facets: &[u32], options: &SliceOptions) -> Resu
         let lines = points.windows(2).filter(|w| w[0] != w[1]).map(|w| Segment::line(w[0], w[1]));
         if c.closed { contours.push(Contour::new(lines.collect())) } else { loose.extend(lines) }
     }
-    heal(loose, options, &mut contours, &mut slice);
+    heal(&loose, options, &mut contours, &mut slice);
     contours.retain(|c| c.segments.len() > 1);
     if contours.is_empty() {
         return Ok(slice);
@@ -180,11 +180,11 @@ fn partners(segments: &[[u32; 2]]) -> Vec<Option<usize>> {
 }
 
 /// Step 5.
-fn heal(loose: Vec<Segment>, options: &SliceOptions, contours: &mut Vec<Contour>, slice: &mut Slice) {
+fn heal(loose: &[Segment], options: SliceOptions, contours: &mut Vec<Contour>, slice: &mut Slice) {
     if loose.is_empty() {
         return;
     }
-    let chains = chain::chain(&loose, options.join_tolerance);
+    let chains = chain::chain(loose, options.join_tolerance);
     contours.extend(chains.closed.into_iter().map(|(contour, _)| contour));
     slice.gaps.extend(chains.open.iter().map(|c| Gap { start: c.start, end: c.end }));
     slice.joined =

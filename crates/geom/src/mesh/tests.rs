@@ -35,7 +35,7 @@ fn terrain(heights: &[Vec<f64>], floor: f64) -> Vec<[Corner; 3]> {
 }
 
 fn cut(mesh: &Mesh, z: f64) -> Slice {
-    slices(mesh, &[z], &SliceOptions::default()).remove(0).unwrap()
+    slices(mesh, &[z], SliceOptions::default()).remove(0).unwrap()
 }
 
 #[test]

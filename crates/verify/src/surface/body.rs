@@ -37,7 +37,10 @@ impl Body {
     /// it is negative, and no farther below zero than the point is away. Concave, and it changes no faster than the point moves.
     pub(super) fn depth(&self, rho: f64, y: f64) -> f64 {
         if let Some((sin, cos)) = self.cone {
-            return (self.radius - rho).min(y * sin - (rho - self.spread).max(0.0) * cos);
+            let off = (rho - self.spread).max(0.0);
+            // Below the flanks' normals at the tip, the tip is the nearest point.
+            let flank = if off * sin + y * cos < 0.0 { -off.hypot(y) } else { y * sin - off * cos };
+            return (self.radius - rho).min(flank);
         }
         if rho > self.flat && y < self.corner {
             return self.corner - (rho - self.flat).hypot(self.corner - y);
@@ -48,8 +51,8 @@ impl Body {
     /// A bound of [`Body::depth`] for points no higher than `y` above the tip.
     pub(super) fn depth_below(&self, y: f64) -> f64 {
         match self.cone {
-            Some((sin, _)) => y * sin,
-            None => y,
+            Some((sin, _)) if y > 0.0 => y * sin,
+            _ => y,
         }
     }
 

@@ -3,6 +3,7 @@
 use super::RoughOptions;
 use super::body::Body;
 use super::clearance::Clearance;
+use super::report::RoughDescent;
 use crate::gcode::{Motion, Trace};
 use pocketry_geom::mesh::Mesh;
 use pocketry_geom::{BBox, Point, Segment, point};
@@ -44,36 +45,60 @@ impl Nodes {
     }
 }
 
-/// A curve of the program, and the height it is judged at: its higher end.
+/// A curve of the program, and the height it is judged at.
 struct Sweep {
     curve: Segment,
     z: f64,
     reach: BBox,
+    /// The line of a straight descent.
+    descent: Option<u32>,
 }
 
 /// Rows that one thread works on at a time.
 const BAND: usize = 16;
 
-/// Heights of what the moves leave of the stock, row by row, mm.
-pub(super) fn left(trace: &Trace, nodes: &Nodes, body: &Body, options: &RoughOptions) -> Vec<f64> {
+/// Heights of what the moves leave of the stock, row by row, mm; and the straight descent into the thickest material.
+pub(super) fn left(
+    trace: &Trace,
+    nodes: &Nodes,
+    body: &Body,
+    options: &RoughOptions,
+) -> (Vec<f64>, Option<RoughDescent>) {
     let sweeps: Vec<Sweep> = trace.motions.iter().flat_map(|m| sweeps_of(trace, m, body, options)).collect();
     let mut heights = vec![options.stock_high[2]; nodes.columns * nodes.rows];
-    heights.par_chunks_mut(nodes.columns * BAND).enumerate().for_each(|(band, heights)| {
-        let first = band * BAND;
-        let rows = first..first + heights.len() / nodes.columns;
+    let bands = heights.par_chunks_mut(nodes.columns * BAND).enumerate();
+    let work = |(band, heights): (usize, &mut [f64])| {
+        let mut deepest: Option<RoughDescent> = None;
         for sweep in &sweeps {
-            let own = nodes.rows_in(sweep.reach);
-            for j in own.start.max(rows.start)..own.end.min(rows.end) {
-                for i in nodes.columns_in(sweep.reach) {
-                    let height = &mut heights[(j - first) * nodes.columns + i];
-                    if *height > sweep.z {
-                        *height = height.min(sweep.z + body.floor(sweep.curve.distance(nodes.place(i, j))));
-                    }
-                }
+            let depth = cut(sweep, nodes, body, band * BAND, heights);
+            let Some(line) = sweep.descent else { continue };
+            if depth > options.gouge_tolerance && deepest.is_none_or(|d| depth > d.depth) {
+                deepest = Some(RoughDescent { depth, at: sweep.curve.start(), line });
             }
         }
-    });
-    heights
+        deepest
+    };
+    let descents: Vec<Option<RoughDescent>> = bands.map(work).collect();
+    let deepest = descents.into_iter().flatten().max_by(|a, b| a.depth.total_cmp(&b.depth));
+    (heights, deepest)
+}
+
+/// Takes from the rows of a band what a curve sweeps; how much at most, mm.
+fn cut(sweep: &Sweep, nodes: &Nodes, body: &Body, first: usize, heights: &mut [f64]) -> f64 {
+    let rows = first..first + heights.len() / nodes.columns;
+    let own = nodes.rows_in(sweep.reach);
+    let mut most = 0.0_f64;
+    for j in own.start.max(rows.start)..own.end.min(rows.end) {
+        for i in nodes.columns_in(sweep.reach) {
+            let height = &mut heights[(j - first) * nodes.columns + i];
+            if *height > sweep.z {
+                let floor = sweep.z + body.floor(sweep.curve.distance(nodes.place(i, j)));
+                most = most.max(*height - floor);
+                *height = height.min(floor);
+            }
+        }
+    }
+    most
 }
 
 fn sweeps_of<'a>(
@@ -82,11 +107,13 @@ fn sweeps_of<'a>(
     body: &'a Body,
     options: &'a RoughOptions,
 ) -> impl Iterator<Item = Sweep> + 'a {
-    // Descents are judged by their higher end: that can only leave more.
-    let z = m.high();
+    // Slopes are judged by their higher end: that can only leave more.
+    let descends = m.is_vertical() && m.to.z < m.from.z;
+    let z = if descends { m.low() } else { m.high() };
     let cuts = z < options.stock_high[2] && z.is_finite();
     let curves = if cuts { trace.curves_of(m) } else { &[] };
-    curves.iter().map(move |&curve| Sweep { curve, z, reach: curve.bbox().inflated(body.radius) })
+    let descent = descends.then_some(m.line);
+    curves.iter().map(move |&curve| Sweep { curve, z, reach: curve.bbox().inflated(body.radius), descent })
 }
 
 /// For each node the height that a tool with these levels could leave at most, mm, and the number of the level that does.

@@ -9,6 +9,7 @@
 //!   Nearer to the model than a step, places are a step apart: what may be missed there is that a cutter of radius `R` dips
 //!   `step²/8R` deeper between two places past a sharp feature;
 //! - *leftovers*: a height field of what the moves leave, against what a tool with the same levels could leave ([`field`]);
+//! - straight descents into material that no move before has cleared, in the same height field;
 //! - rapid moves below the stock's top, as for pockets.
 
 mod body;
@@ -18,7 +19,7 @@ mod report;
 #[cfg(test)]
 mod tests;
 
-pub use report::{LevelReport, RoughGouge, RoughLeftover, RoughReport};
+pub use report::{LevelReport, RoughDescent, RoughGouge, RoughLeftover, RoughReport};
 
 use crate::gcode::{self, Motion, ProgramError, Trace};
 use crate::limits::Limits;
@@ -91,7 +92,7 @@ pub fn verify_rough(mesh: &Mesh, program: &str, options: &RoughOptions) -> Resul
     let gouges = gouges(&trace, &clearance, options);
 
     let nodes = Nodes::new(BBox::of(above(options.stock_low), above(options.stock_high)), options.cell);
-    let left = field::left(&trace, &nodes, &body, options);
+    let (left, descent) = field::left(&trace, &nodes, &body, options);
     let possible = field::possible(&nodes, mesh, &body, options);
     let mut levels: Vec<LevelReport> = options.levels.iter().map(|&z| LevelReport::at(z)).collect();
     for g in &gouges {
@@ -109,6 +110,7 @@ pub fn verify_rough(mesh: &Mesh, program: &str, options: &RoughOptions) -> Resul
     Ok(RoughReport {
         gouge: gouges.into_iter().max_by(|a, b| a.depth.total_cmp(&b.depth)),
         leftover: levels.iter().filter_map(|l| l.leftover).max_by(|a, b| a.height.total_cmp(&b.height)),
+        descent,
         levels,
         gouge_tolerance: options.gouge_tolerance,
         scallop: body.floor(options.stepover.min(options.tool_radius)),
@@ -127,7 +129,9 @@ const CHUNK: usize = 256;
 fn gouges(trace: &Trace, clearance: &Clearance, options: &RoughOptions) -> Vec<RoughGouge> {
     let walk = |chunk: &[Motion]| {
         let mut walker = Walker { trace, clearance, options, room: 0.0, found: Vec::new() };
-        chunk.iter().for_each(|m| walker.follow(m));
+        for m in chunk {
+            walker.follow(m);
+        }
         walker.found
     };
     trace.motions.par_chunks(CHUNK).flat_map_iter(walk).collect()

@@ -28,6 +28,17 @@ pub struct RoughLeftover {
     pub at: Point,
 }
 
+/// A straight descent into material.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct RoughDescent {
+    /// How thick the material was that the cutter came down on, mm.
+    pub depth: f64,
+    /// Where, seen from above.
+    pub at: Point,
+    /// Line of the program, from 1.
+    pub line: u32,
+}
+
 /// The worst of one level.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct LevelReport {
@@ -64,6 +75,8 @@ pub struct RoughReport {
     pub gouge: Option<RoughGouge>,
     /// The highest leftover of all.
     pub leftover: Option<RoughLeftover>,
+    /// The straight descent into the thickest material, if there is any; told, but not held against the proof.
+    pub descent: Option<RoughDescent>,
     /// Level by level, from the top.
     pub levels: Vec<LevelReport>,
     /// How deep the cutter may enter the model, and as much the stock to leave, mm.

@@ -103,6 +103,17 @@ fn what_is_left_is_told_by_level() {
 }
 
 #[test]
+fn straight_descents_into_material_are_told() {
+    let into = |text: &str| verify_rough(&step(), text, &options(Cutter::Flat)).unwrap().descent.map(|d| d.depth);
+    assert_eq!(into(&program(&[(8.0, -3.0), (8.0, -5.9)])), None, "from outside the stock");
+    let plunge = program(&[(8.0, -3.0), (8.0, -5.9)]).replacen("Y-8\nG1 Z-5.9", "Y20\nG1 Z-5.9", 1);
+    assert!((into(&plunge).unwrap() - 2.9).abs() < 1e-9);
+    assert!(
+        (into(&plunge.replacen("X8.0 Y-8", "X20 Y-8", 1).replacen("X8 Y-8", "X20 Y-8", 1)).unwrap() - 5.9).abs() < 1e-9
+    );
+}
+
+#[test]
 fn rapid_moves_in_the_stock_are_found() {
     let text = program(&[(16.0, -6.0)]).replace("G1 Y48\n", "G0 Y48\n");
     let report = verify_rough(&step(), &text, &options(Cutter::Flat)).unwrap();

@@ -39,6 +39,6 @@ pub(super) fn read(bytes: &[u8]) -> Result<Soup, ImportError> {
 /// The vertex that `i`, `i/t` or `i/t/n` names: from 1, or backwards from -1.
 fn vertex(word: &str, vertices: &[Corner]) -> Option<Corner> {
     let number: i64 = word.split('/').next()?.parse().ok()?;
-    let index = if number < 0 { vertices.len() as i64 + number } else { number - 1 };
+    let index = if number < 0 { i64::try_from(vertices.len()).ok()? + number } else { number - 1 };
     vertices.get(usize::try_from(index).ok()?).copied()
 }

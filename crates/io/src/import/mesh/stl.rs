@@ -78,7 +78,7 @@ fn text(bytes: &[u8]) -> Result<Soup, ImportError> {
         let mut words = line.split_ascii_whitespace();
         match words.next().map(str::to_ascii_lowercase).as_deref() {
             Some("vertex") => {
-                corners.push(numbers(words).ok_or_else(|| bad(format!("not a corner: {}", clipped(line))))?)
+                corners.push(numbers(words).ok_or_else(|| bad(format!("not a corner: {}", clipped(line))))?);
             }
             Some("endfacet") => {
                 let triangle = <[Corner; 3]>::try_from(corners.as_slice());
