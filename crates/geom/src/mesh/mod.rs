@@ -2,7 +2,7 @@
 //!
 //! Files hold loose triangles; [`Mesh::weld`] makes one vertex of equal corners, then joins vertices along open edges that lie
 //! within the weld tolerance (cracks), and orders every edge with the facets at it. Everything behind works with these
-//! combinatorial facts: [`slice`] chains its segments by shared edges, never by coordinates.
+//! combinatorial facts: [`mod@slice`] chains its segments by shared edges, never by coordinates.
 
 mod cracks;
 mod flaws;
