@@ -64,7 +64,8 @@ pub(crate) fn run(args: &RoughArgs) -> Result<(), Failure> {
     let figures = plan.program.figures(&job.feeds, &stock);
     let text = write(&name, &plan, &job, &figures, &stock, unit)?;
     let proof = prove(&mesh, &text, &job)?;
-    if let Some(d) = proof.descent {
+    // Less is what the cutter's shape left between loops.
+    if let Some(d) = proof.descent.filter(|d| d.depth > proof.scallop) {
         let (x, y) = (d.at.x, d.at.y);
         let message = format!("line {} goes straight down {:.3} mm into material at X{x:.3} Y{y:.3}", d.line, d.depth);
         console::warnings(&[format!("{message}: the tool must cut at its centre")]);
