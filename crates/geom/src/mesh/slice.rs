@@ -19,7 +19,7 @@ use super::{Mesh, above};
 use crate::contour::Contour;
 use crate::point::Point;
 use crate::region::Region;
-use crate::repair::{self, Note, RegionError, RepairOptions};
+use crate::repair::{self, Healed, Note, RegionError, RepairOptions};
 use crate::segment::Segment;
 use crate::{chain, tolerance};
 use rayon::prelude::*;
@@ -102,12 +102,32 @@ fn slice_of(mesh: &Mesh, z: f64, facets: &[u32], options: SliceOptions) -> Resul
     if contours.is_empty() {
         return Ok(slice);
     }
-    let healed = match repair::build(contours, &RepairOptions { join_tolerance: options.join_tolerance }) {
+    let healed = match build(contours, options) {
         // Contours without area: ridges that touch the plane from below.
         Err(RegionError::Nothing { .. }) => return Ok(slice),
         other => other?,
     };
     Ok(Slice { region: healed.region, notes: healed.notes, ..slice })
+}
+
+/// Step 6. Contours that coincide are the two sides of a ring without width, such as a closed ridge in the plane: they cancel
+/// in pairs, where a drawing would mean one contour drawn twice.
+fn build(mut contours: Vec<Contour>, options: SliceOptions) -> Result<Healed, RegionError> {
+    let repair = RepairOptions { join_tolerance: options.join_tolerance };
+    let healed = repair::build(contours.clone(), &repair)?;
+    let mut dropped = vec![false; contours.len()];
+    for note in &healed.notes {
+        if let Note::Duplicate { contour, kept, .. } = *note {
+            dropped[contour as usize] = true;
+            dropped[kept as usize] ^= true;
+        }
+    }
+    if !dropped.contains(&true) {
+        return Ok(healed);
+    }
+    let mut drop = dropped.into_iter();
+    contours.retain(|_| drop.next() != Some(true));
+    if contours.is_empty() { Ok(Healed::default()) } else { repair::build(contours, &repair) }
 }
 
 /// The edges on which a facet's segment begins and ends: where the facet's boundary goes down, and where it goes up again, so

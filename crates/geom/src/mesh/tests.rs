@@ -154,3 +154,14 @@ proptest! {
         prop_assert!((volume - mesh.volume()).abs() < 1e-6, "{volume} {}", mesh.volume());
     }
 }
+
+#[test]
+fn a_ring_of_ridges_in_the_plane_is_not_filled() {
+    // Found by the property above: the ring's two contours coincide, and one of them was taken for the other drawn twice.
+    let rows = [[1; 6], [1; 6], [1; 6], [1, 4, 4, 1, 1, 1], [1, 4, 1, 4, 1, 1], [1, 1, 4, 4, 1, 1]];
+    let heights: Vec<Vec<f64>> = rows.iter().map(|r| r.iter().map(|&h| f64::from(h)).collect()).collect();
+    let mesh = Mesh::weld(&terrain(&heights, 0.0), 0.0).mesh;
+    for z in [4.0, 4.0 - 1e-9, 4.0 - 1e-4] {
+        assert!(cut(&mesh, z).region.area() < 1e-3, "at {z}");
+    }
+}
