@@ -8,6 +8,8 @@
 pub mod job;
 mod link;
 pub mod plan;
+pub mod rough;
+pub mod surface;
 pub mod tools;
 
 pub use job::{Entry, PocketJob};

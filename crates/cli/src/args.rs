@@ -2,6 +2,7 @@
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use pocketry_io::import::Units;
+use pocketry_motion::Cutter;
 use std::path::PathBuf;
 use std::str::FromStr;
 
@@ -30,6 +31,10 @@ pub(crate) enum Command {
     Verify(VerifyArgs),
     /// Show what the stepover does: length, time, lifts, uncut material, with and without clean-up.
     Study(Box<StudyArgs>),
+    /// Write a G-code program, proven in space, that roughs a model (STL, OBJ, 3MF) out of a block, level by level.
+    Rough(Box<RoughArgs>),
+    /// Cut a model (STL, OBJ, 3MF) at heights and write the contours as DXF, SVG or region JSON lines.
+    Slice(SliceArgs),
     /// Say what is in a drawing: contours, areas, the largest tool that fits.
     Info(InfoArgs),
 }
@@ -395,6 +400,132 @@ pub(crate) struct VerifyArgs {
     pub(crate) drawing: DrawingArgs,
 }
 
+/// A block of stock: two opposite corners.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct StockBox {
+    pub(crate) low: [f64; 3],
+    pub(crate) high: [f64; 3],
+}
+
+impl FromStr for StockBox {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let numbers: Option<Vec<f64>> = text.split(',').map(finite).collect();
+        match numbers.as_deref() {
+            Some(&[a, b, c, d, e, f]) if a < d && b < e && c < f => Ok(Self { low: [a, b, c], high: [d, e, f] }),
+            _ => Err("expected X0,Y0,Z0,X1,Y1,Z1 in mm, the lowest corner first".to_owned()),
+        }
+    }
+}
+
+/// The engine that makes the loops.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum EngineArg {
+    /// Exact, over the Voronoi skeleton.
+    #[default]
+    Voronoi,
+}
+
+/// `pocketry rough`.
+#[derive(Args, Debug)]
+pub(crate) struct RoughArgs {
+    /// The model: STL, OBJ or 3MF.
+    pub(crate) input: PathBuf,
+    /// Diameter of the tool, mm.
+    #[arg(short, long, value_name = "MM", value_parser = positive)]
+    pub(crate) tool: f64,
+    /// Shape of the tool's end: flat, ball, bull:CORNER (mm) or cone:ANGLE (degrees between the flanks).
+    #[arg(long, value_name = "SHAPE", default_value = "flat")]
+    pub(crate) cutter: Cutter,
+    /// The program to write [default: the model's name with .ngc].
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+    /// Picture to write (SVG): all levels in projection; one for each level is written beside it.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) plot: Option<PathBuf>,
+    /// Report to write (JSON).
+    #[arg(long, value_name = "FILE")]
+    pub(crate) report: Option<PathBuf>,
+    /// The model's unit (mm, in, ...), where the file does not say or says wrong.
+    #[arg(long, value_name = "UNIT")]
+    pub(crate) units: Option<Units>,
+    /// The block of material, mm [default: the model's box and the margin].
+    #[arg(long, value_name = "X0,Y0,Z0,X1,Y1,Z1", allow_hyphen_values = true, conflicts_with = "margin")]
+    pub(crate) stock: Option<StockBox>,
+    /// How much larger than the model the block is at its sides and at its top, mm.
+    #[arg(long, value_name = "MM", default_value = "1", value_parser = not_negative)]
+    pub(crate) margin: f64,
+    /// Distance of the nodes at which the model is looked at, mm [default: a tenth of the tool's radius].
+    #[arg(long, value_name = "MM", value_parser = positive)]
+    pub(crate) cell: Option<f64>,
+    /// What makes the loops.
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) engine: EngineArg,
+    #[command(flatten)]
+    pub(crate) cut: RoughCutArgs,
+    #[command(flatten)]
+    pub(crate) machine: MachineArgs,
+}
+
+/// What is to be cut of a model, and how.
+#[derive(Args, Clone, Debug)]
+#[command(next_help_heading = "Cutting")]
+pub(crate) struct RoughCutArgs {
+    /// Distance between loops, mm or a percentage of the diameter; at most the radius [default: 45%, or less where
+    /// the cutter's shape would leave more than a quarter of the stepdown between loops].
+    #[arg(long, value_name = "MM|%")]
+    pub(crate) stepover: Option<Stepover>,
+    /// Largest distance of levels, mm; levels are equal [default: the tool's radius].
+    #[arg(long, value_name = "MM", value_parser = positive)]
+    pub(crate) stepdown: Option<f64>,
+    /// Material to leave on the model, mm.
+    #[arg(long, value_name = "MM", default_value = "0", value_parser = not_negative)]
+    pub(crate) stock_to_leave: f64,
+    /// Climb milling (the default).
+    #[arg(long, conflicts_with = "conventional")]
+    pub(crate) climb: bool,
+    /// Conventional milling.
+    #[arg(long)]
+    pub(crate) conventional: bool,
+}
+
+impl From<RoughCutArgs> for CutArgs {
+    fn from(a: RoughCutArgs) -> Self {
+        let RoughCutArgs { stepover, stepdown, stock_to_leave, climb, conventional } = a;
+        Self {
+            stepover,
+            stock_to_leave,
+            depth: None,
+            stepdown,
+            top: 0.0,
+            climb,
+            conventional,
+            strategy: StrategyArg::Contour,
+            boundary: Boundary::Walls,
+            no_cleanup: false,
+            scallop: 0.0,
+            tools: Vec::new(),
+        }
+    }
+}
+
+/// `pocketry slice`.
+#[derive(Args, Debug)]
+pub(crate) struct SliceArgs {
+    /// The model: STL, OBJ or 3MF.
+    pub(crate) input: PathBuf,
+    /// Heights of the planes, mm, separated by commas.
+    #[arg(short, long, value_name = "MM,...", value_delimiter = ',', required = true, allow_hyphen_values = true, value_parser = number)]
+    pub(crate) z: Vec<f64>,
+    /// File to write; its ending (.dxf, .svg, .jsonl) says in which form [default: JSON lines to standard output].
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+    /// The model's unit (mm, in, ...), where the file does not say or says wrong.
+    #[arg(long, value_name = "UNIT")]
+    pub(crate) units: Option<Units>,
+}
+
 /// `pocketry info`.
 #[derive(Args, Debug)]
 pub(crate) struct InfoArgs {
@@ -429,6 +560,8 @@ mod tests {
         assert!("10..x".parse::<Stepovers>().is_err() && "10..20/x".parse::<Stepovers>().is_err());
         assert!("-1".parse::<Stepover>().is_err() && "nan".parse::<Stepover>().is_err());
         assert_eq!("-3, 4.5".parse(), Ok(Origin::At(-3.0, 4.5)));
+        assert_eq!("0,0,-1,2,3,4".parse(), Ok(StockBox { low: [0.0, 0.0, -1.0], high: [2.0, 3.0, 4.0] }));
+        assert!("0,0,0,1,1,0".parse::<StockBox>().is_err() && "0,0,0,1,1,inf".parse::<StockBox>().is_err());
         assert!("1".parse::<Origin>().is_err() && "inf,0".parse::<Origin>().is_err());
     }
 }

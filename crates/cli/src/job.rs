@@ -14,6 +14,9 @@ use pocketry_io::post::{Dialect, LinuxCnc, PostError, PostOptions};
 use pocketry_motion::{Direction, Figures};
 use pocketry_verify::VerifyOptions;
 
+/// Why there is no file.
+pub(crate) const NOT_WRITTEN: &str = "the program is not proven and was not written; please report it with the drawing";
+
 /// A program that may be written.
 pub(crate) struct Proven {
     pub(crate) setup: Setup,
@@ -69,14 +72,13 @@ pub(crate) fn run(drawing: &mut Drawing, settings: &Settings, report: &mut JobRe
         }
         first.get_or_insert((attempt, own));
     }
-    let message = "the program is not proven and was not written; please report it with the drawing";
     Err(match first {
         Some((attempt, own)) => {
             *report = own;
-            let why = summary(message, &attempt.proof);
+            let why = summary(NOT_WRITTEN, &attempt.proof);
             Failure::new(Exit::NotProven, NOT_PROVEN, why).with_details(places(&attempt.proof))
         }
-        None => Failure::new(Exit::NotProven, NOT_PROVEN, message),
+        None => Failure::new(Exit::NotProven, NOT_PROVEN, NOT_WRITTEN),
     })
 }
 
@@ -139,7 +141,7 @@ pub(crate) fn write(plan: &Plan, figures: &Figures, setup: &Setup, id: &str) -> 
     LinuxCnc.write(&plan.program, &options).map_err(|e| post_failure(&e))
 }
 
-fn post_failure(error: &PostError) -> Failure {
+pub(crate) fn post_failure(error: &PostError) -> Failure {
     let (exit, kind) = match error {
         PostError::Fault(_) => (Exit::NotProven, "program"),
         PostError::TooLarge { .. } => (Exit::BadInput, "too-large"),

@@ -7,13 +7,17 @@ mod drawing;
 mod failure;
 mod info;
 mod job;
+mod model;
 mod offset;
 mod output;
 mod picture;
 mod pocket;
 mod report;
+mod rough;
+mod rough_picture;
 mod settings;
 mod skeleton;
+mod slice;
 mod study;
 mod subpockets;
 mod toolbox;
@@ -45,6 +49,8 @@ fn run(command: &Command) -> Result<Exit, Failure> {
         Command::Subpockets(args) => subpockets::run(args)?,
         Command::Verify(args) => verify::run(args)?,
         Command::Study(args) => study::run(args)?,
+        Command::Rough(args) => rough::run(args)?,
+        Command::Slice(args) => slice::run(args)?,
         Command::Info(args) => info::run(args)?,
     }
     Ok(Exit::Done)

@@ -36,6 +36,18 @@ impl Outputs {
     }
 }
 
+/// Refuses a file that is named twice.
+pub(crate) fn distinct(files: &[&Path]) -> Result<(), Failure> {
+    let resolved: Vec<PathBuf> = files.iter().map(|f| f.canonicalize().unwrap_or_else(|_| f.to_path_buf())).collect();
+    for (k, file) in resolved.iter().enumerate() {
+        if resolved[..k].contains(file) {
+            let message = format!("{} is named twice; each file needs a name of its own", file.display());
+            return Err(Failure::arguments(message));
+        }
+    }
+    Ok(())
+}
+
 /// Writes one file.
 pub(crate) fn write_file(path: &Path, text: &str) -> Result<(), Failure> {
     let mut outputs = Outputs::default();

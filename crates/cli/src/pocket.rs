@@ -4,11 +4,11 @@ use crate::args::PocketArgs;
 use crate::console::{self, duration, figure};
 use crate::failure::Failure;
 use crate::job::{self, Proven};
-use crate::output::{Outputs, print};
+use crate::output::{Outputs, distinct, print};
 use crate::report::JobReport;
 use crate::settings::Settings;
 use crate::{drawing, picture};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Instant;
 
 pub(crate) fn run(args: &PocketArgs) -> Result<(), Failure> {
@@ -47,16 +47,7 @@ fn check_targets(args: &PocketArgs, target: &Path) -> Result<(), Failure> {
     let mut files: Vec<&Path> = vec![&args.input, target];
     files.extend(args.plot.as_deref());
     files.extend(args.report.as_deref());
-    let resolved: Vec<PathBuf> = files.iter().map(|f| f.canonicalize().unwrap_or_else(|_| f.to_path_buf())).collect();
-    for (k, file) in resolved.iter().enumerate() {
-        if resolved[..k].contains(file) {
-            return Err(Failure::arguments(format!(
-                "{} is named twice; each file needs a name of its own",
-                file.display()
-            )));
-        }
-    }
-    Ok(())
+    distinct(&files)
 }
 
 fn said(target: &Path, proven: &Proven) -> String {

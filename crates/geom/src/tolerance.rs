@@ -199,6 +199,13 @@ pub mod proof {
     /// Heights nearer than this are the same height, mm.
     pub const SAME_HEIGHT: f64 = 1e-6;
 
+    /// How deep a roughing program may enter the model, or the stock to leave, along the normal, mm.
+    pub const ROUGH_GOUGE: f64 = 0.01;
+
+    /// The deepest point of an edge inside a cutter is sought to within this, mm: depth changes no faster, so that is its error
+    /// at most, a hundredth of [`ROUGH_GOUGE`].
+    pub const NARROWED: f64 = 1e-4;
+
     /// Two curves that turn back on one another within this angle make a cusp, where the sign of the turn tells nothing.
     pub const CUSP: f64 = 1e-5;
 }
@@ -287,4 +294,24 @@ pub mod skeleton {
     pub const GUESSES: usize = 200;
     /// Width, of an interval from 0 to 1, at which a bisection has converged.
     pub const BISECTION: f64 = 1e-18;
+}
+
+/// Tolerances of the CL-surface and of what is made of it.
+pub mod surface {
+    /// How far the contour lines of a CL-surface may lie from it in the plane, mm: that of written programs.
+    pub const CONTOUR: f64 = super::GOUGE;
+    /// How far the simplified contour lines may lie from the full ones, mm.
+    pub const SIMPLIFY: f64 = super::GOUGE;
+    /// How far inside its contour lines the tool's axis stays in roughing, mm: what both of the above may take.
+    pub const INSET: f64 = CONTOUR + SIMPLIFY;
+    /// The tip may go this much below the CL-surface, mm, so that rounding does not lose a floor at a level's very height.
+    pub const LEVEL: f64 = 1e-6;
+    /// A touch point counts as inside a facet up to this share of its area beyond a side: some thousand times the rounding.
+    pub const INSIDE: f64 = 1e-12;
+    /// The height asked for by an edge is known to this, mm: a thousandth of what levels may be off.
+    pub const CONTACT: f64 = 1e-9;
+    /// Steps of the search for a contact along an edge; some ten reach rounding.
+    pub const CONTACT_STEPS: usize = 60;
+    /// Share of the contour tolerance to which a point of a contour line is settled.
+    pub const SETTLED: f64 = 0.1;
 }

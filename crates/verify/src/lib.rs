@@ -21,6 +21,7 @@ pub mod options;
 mod outline;
 mod reach;
 pub mod report;
+pub mod surface;
 mod tree;
 mod uncut;
 mod walls;
@@ -28,6 +29,7 @@ mod walls;
 pub use gcode::ProgramError;
 pub use options::{Budget, PathControl, VerifyOptions};
 pub use report::{Figures, Gouge, Report, Spot, Violation};
+pub use surface::{RoughOptions, RoughReport, verify_rough};
 
 use gcode::{Motion, Trace};
 use limits::Limits;

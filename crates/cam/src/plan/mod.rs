@@ -36,6 +36,7 @@ use pocketry_geom::offset::degenerate_slack;
 use pocketry_geom::skeleton::Skeleton;
 use pocketry_geom::skeleton::trees::Trees;
 
+pub(crate) use moves::{Writer, helix_of, ramp_of};
 pub(crate) use track::{Cut, Landing, Track};
 
 pub use cleanup::{Cleanup, Uncut};
@@ -52,8 +53,13 @@ const MOST_LEVELS: f64 = 100_000.0;
 /// # Errors
 /// When the job asks for the impossible, or the tool fits nowhere in the region.
 pub fn plan(region: &Region, skeleton: &Skeleton, job: &PocketJob) -> Result<Plan, PlanError> {
+    plan_from(region, skeleton, job, job.first_distance())
+}
+
+/// The same with the first loops at distance `first` from the boundary: next to nothing where that bounds the tool's centre.
+pub(crate) fn plan_from(region: &Region, skeleton: &Skeleton, job: &PocketJob, first: f64) -> Result<Plan, PlanError> {
     let mut warnings = Vec::new();
-    let Limits { first, stepover, highest } = limits(region, skeleton, job, &mut warnings)?;
+    let Limits { stepover, highest } = limits(region, skeleton, job, first, &mut warnings)?;
     let trees = Trees::new(skeleton);
     let distances = distances(first, stepover, highest);
     let mut levels = Levels::new(skeleton, &distances)?;
@@ -77,9 +83,8 @@ pub fn plan(region: &Region, skeleton: &Skeleton, job: &PocketJob) -> Result<Pla
     Ok(plan)
 }
 
-/// Between which distances loops lie, mm.
+/// How far apart loops lie, and up to where, mm.
 struct Limits {
-    first: f64,
     stepover: f64,
     /// The largest clearance of the skeleton.
     highest: f64,
@@ -90,10 +95,11 @@ fn limits(
     region: &Region,
     skeleton: &Skeleton,
     job: &PocketJob,
+    first: f64,
     warnings: &mut Vec<Warning>,
 ) -> Result<Limits, PlanError> {
     job.check()?;
-    let (first, stepover) = (job.first_distance(), clamped_stepover(job, warnings));
+    let stepover = clamped_stepover(job, warnings);
     let highest = skeleton.vertices().iter().map(|v| v.clearance).fold(0.0, f64::max);
     if region.contours().is_empty() || highest < first - degenerate_slack(first) {
         let largest = (2.0 * (highest - job.stock_to_leave)).max(0.0);
@@ -108,7 +114,7 @@ fn limits(
     if job.stock.depth > MOST_LEVELS * job.stepdown {
         return Err(PlanError::Job { what: "stepdown", value: job.stepdown });
     }
-    Ok(Limits { first, stepover, highest })
+    Ok(Limits { stepover, highest })
 }
 
 /// Step 2 of algorithm 4.1: the distances of the loops, in increasing order.

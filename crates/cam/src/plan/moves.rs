@@ -81,7 +81,7 @@ impl<'a> Travelled<'a> {
         for ((step, cut), link) in self.chain.steps.iter().zip(&self.cuts).zip(self.links()) {
             let track = &levels.tracks[step.track as usize];
             if !link.is_empty() {
-                plan.links.push(Link { segments: link, group, kind: step.kind });
+                plan.links.push(Link { segments: link, group, kind: step.kind, to: plan.loops.len() });
             }
             plan.loops.push(PlannedLoop {
                 segments: cut.clone(),
@@ -112,7 +112,7 @@ fn entry(chain: &Chain, job: &PocketJob, first: f64) -> EntryKind {
 }
 
 /// Appends moves.
-struct Writer<'a> {
+pub(crate) struct Writer<'a> {
     job: &'a PocketJob,
     moves: Vec<Move>,
 }
@@ -152,13 +152,19 @@ impl<'a> Writer<'a> {
     fn chain(&mut self, t: &Travelled<'_>, pass: usize, passes: usize) {
         let (from, floor) = (self.floor(pass, passes), self.floor(pass + 1, passes));
         match t.entry {
-            EntryKind::Helix { center, radius } => self.helix(t.entry_point(), center, radius, from, floor),
-            EntryKind::Ramp => self.ramp(&t.cuts[0], t.entry_point(), from, floor),
+            EntryKind::Helix { center, radius } => {
+                self.plunge(t.entry_point(), from);
+                self.moves.extend(turns(self.job, t.entry_point(), center, radius, from, floor));
+            }
+            EntryKind::Ramp => {
+                self.plunge(t.entry_point(), from);
+                self.moves.extend(rounds(self.job, &t.cuts[0], from, floor));
+            }
             EntryKind::Plunge => self.plunge(t.entry_point(), floor),
         }
         for (link, cut) in t.links().iter().zip(&t.cuts) {
             for segment in link.iter().chain(cut) {
-                self.segment(segment, floor, FeedKind::Cut);
+                self.moves.push(Self::along(segment, floor, FeedKind::Cut));
             }
         }
     }
@@ -167,40 +173,50 @@ impl<'a> Writer<'a> {
         self.moves.push(Move::Line { to: Point3::at(p, z), feed: FeedKind::Plunge });
     }
 
-    /// Down full turns of equal pitch, in the sense that cuts the hole's wall like the loops.
-    fn helix(&mut self, start: Point, center: Point, radius: f64, from: f64, floor: f64) {
-        self.plunge(start, from);
-        let pitch = TAU * radius * self.job.entry.angle.tan();
-        let turns = ((from - floor) / pitch).ceil().max(1.0);
-        for turn in 1..=turns as usize {
-            let z = from + (floor - from) * (turn as f64 / turns);
-            let to = Point3::at(start, if turn as f64 == turns { floor } else { z });
-            let ccw = self.job.direction == Direction::Climb;
-            self.moves.push(Move::Arc { to, center, ccw, feed: FeedKind::Ramp });
-        }
-    }
-
-    /// Down along whole rounds of a closed path.
-    fn ramp(&mut self, path: &[Segment], start: Point, from: f64, floor: f64) {
-        self.plunge(start, from);
-        let length: f64 = path.iter().map(Segment::length).sum();
-        let rounds = ((from - floor) / (length * self.job.entry.angle.tan())).ceil().max(1.0);
-        for round in 0..rounds as usize {
-            let mut run = 0.0;
-            for (k, segment) in path.iter().enumerate() {
-                run += segment.length();
-                let last = k + 1 == path.len();
-                let share = if last { round as f64 + 1.0 } else { round as f64 + run / length };
-                let z = if last && share == rounds { floor } else { from + (floor - from) * share / rounds };
-                self.segment(segment, z, FeedKind::Ramp);
-            }
-        }
-    }
-
-    fn segment(&mut self, segment: &Segment, z: f64, feed: FeedKind) {
-        self.moves.push(match segment {
+    /// A move along a segment seen from above that ends at height `z`.
+    pub(crate) fn along(segment: &Segment, z: f64, feed: FeedKind) -> Move {
+        match segment {
             Segment::Line(l) => Move::Line { to: Point3::at(l.end, z), feed },
             Segment::Arc(a) => Move::Arc { to: Point3::at(a.end, z), center: a.center, ccw: a.ccw, feed },
-        });
+        }
     }
+}
+
+/// From the stock's top down to its floor: full turns of equal pitch, in the sense that cuts the hole's wall like the loops.
+pub(crate) fn helix_of(job: &PocketJob, start: Point, center: Point, radius: f64) -> Vec<Move> {
+    let (from, floor) = (job.stock.top, job.stock.top - job.stock.depth);
+    turns(job, start, center, radius, from, floor)
+}
+
+/// From the stock's top down to its floor along whole rounds of a closed path.
+pub(crate) fn ramp_of(job: &PocketJob, path: &[Segment]) -> Vec<Move> {
+    rounds(job, path, job.stock.top, job.stock.top - job.stock.depth)
+}
+
+fn turns(job: &PocketJob, start: Point, center: Point, radius: f64, from: f64, floor: f64) -> Vec<Move> {
+    let pitch = TAU * radius * job.entry.angle.tan();
+    let count = ((from - floor) / pitch).ceil().max(1.0);
+    let turn = |k: usize| {
+        let z = from + (floor - from) * (k as f64 / count);
+        let to = Point3::at(start, if k as f64 == count { floor } else { z });
+        Move::Arc { to, center, ccw: job.direction == Direction::Climb, feed: FeedKind::Ramp }
+    };
+    (1..=count as usize).map(turn).collect()
+}
+
+fn rounds(job: &PocketJob, path: &[Segment], from: f64, floor: f64) -> Vec<Move> {
+    let length: f64 = path.iter().map(Segment::length).sum();
+    let count = ((from - floor) / (length * job.entry.angle.tan())).ceil().max(1.0);
+    let mut moves = Vec::new();
+    for round in 0..count as usize {
+        let mut run = 0.0;
+        for (k, segment) in path.iter().enumerate() {
+            run += segment.length();
+            let last = k + 1 == path.len();
+            let share = if last { round as f64 + 1.0 } else { round as f64 + run / length };
+            let z = if last && share == count { floor } else { from + (floor - from) * share / count };
+            moves.push(Writer::along(segment, z, FeedKind::Ramp));
+        }
+    }
+    moves
 }

@@ -140,6 +140,8 @@ pub struct Link {
     pub group: usize,
     /// What it is.
     pub kind: LinkKind,
+    /// The loop that it leads to, an index into [`Plan::loops`].
+    pub to: usize,
 }
 
 /// How the tool goes down at the start of a group.

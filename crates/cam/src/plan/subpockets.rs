@@ -28,7 +28,8 @@ use std::collections::BTreeMap;
 /// When the job asks for the impossible, or the tool fits nowhere in the region.
 pub fn plan_subpockets(region: &Region, skeleton: &Skeleton, job: &PocketJob) -> Result<Plan, PlanError> {
     let mut warnings = Vec::new();
-    let Limits { first, stepover, highest } = limits(region, skeleton, job, &mut warnings)?;
+    let first = job.first_distance();
+    let Limits { stepover, highest } = limits(region, skeleton, job, first, &mut warnings)?;
     let radius = job.tool.radius();
     if stepover > radius {
         warnings.push(Warning::StepoverClamped { asked: stepover, used: radius });

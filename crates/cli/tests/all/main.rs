@@ -2,5 +2,6 @@
 
 mod batch;
 mod command;
+mod model;
 mod support;
 mod workspace;

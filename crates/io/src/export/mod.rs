@@ -5,7 +5,7 @@ mod json;
 mod svg;
 
 pub use dxf::to_dxf;
-pub use json::to_json;
+pub use json::{to_json, to_region_json};
 pub use svg::to_svg;
 
 use pocketry_geom::Contour;

@@ -14,6 +14,7 @@ mod dxf;
 mod error;
 mod fit;
 mod json;
+pub mod mesh;
 mod nurbs;
 mod sketch;
 mod spline_fit;

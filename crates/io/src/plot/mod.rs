@@ -5,6 +5,9 @@
 
 mod canvas;
 mod legend;
+mod projection;
+
+pub use projection::Projection;
 
 use canvas::Canvas;
 use pocketry_geom::{BBox, Point, Region, Segment};

@@ -4,4 +4,5 @@ mod corpus;
 mod dxf;
 mod garbled;
 mod json;
+mod mesh;
 mod svg;
