@@ -137,14 +137,14 @@ impl RoughJob {
         PocketJob {
             tool: self.tool,
             stock: Stock { top, depth: top - z },
-            stepover: self.stepover,
+            stepover: self.stepover.min(self.tool.radius()),
             stock_to_leave: 0.0,
             stepdown: 2.0 * (top - z),
             direction: self.direction,
             heights: self.heights,
             feeds: self.feeds,
             entry: self.entry,
-            cleanup: true,
+            cleanup: false,
         }
     }
 

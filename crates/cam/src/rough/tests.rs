@@ -71,6 +71,17 @@ fn a_cavity_is_entered_by_helix_and_its_surroundings_are_let_alone() {
 }
 
 #[test]
+fn a_stepover_above_the_radius_is_clamped_to_it() {
+    let mut boss = cuboid([0.0, 0.0, -10.0], [60.0, 50.0, -9.0]);
+    boss.extend(cuboid([20.0, 15.0, -9.0], [40.0, 35.0, 0.0]));
+    let mesh = Mesh::weld(&boss, 0.0).mesh;
+    let job = RoughJob { stepover: 4.0, ..RoughJob::new(8.0, Cutter::Flat, Block::around(&mesh, 8.0)) };
+    let wide = rough(&mesh, &RoughJob { stepover: 7.5, ..job }, &quiet).unwrap();
+    assert_eq!(wide.stepover, 4.0);
+    assert_eq!(wide.program, rough(&mesh, &job, &quiet).unwrap().program);
+}
+
+#[test]
 fn jobs_that_make_no_sense_are_refused() {
     let mesh = Mesh::weld(&cuboid([0.0; 3], [10.0; 3]), 0.0).mesh;
     let stock = Block::around(&mesh, 0.0);

@@ -140,7 +140,8 @@ fn contours_around_a_pin_are_circles_within_tolerance() {
     let surface = ClSurface::new(&mesh, Cutter::Ball, 4.0, 0.0);
     let grid = HeightGrid::new(&surface, mesh.bbox().inflated(9.0), 0.5);
     for z in [1.5, 3.0, 4.5] {
-        let radius: f64 = f64::sqrt(16.0 - (4.0 - (5.0 - z)) * (4.0 - (5.0 - z)));
+        let rise: f64 = 4.0 - (5.0 - z);
+        let radius = (16.0 - rise * rise).sqrt();
         let lines = grid.contours(&surface, z, &|_| true);
         assert_eq!(lines.len(), 2);
         let around =
