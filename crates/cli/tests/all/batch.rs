@@ -59,8 +59,7 @@ fn each_region_gets_a_program_and_a_line() {
         assert!(line["retracts"].as_u64() <= line["control_vertices"].as_u64());
     }
     assert!(report[0]["program"].as_str().unwrap().ends_with("slot_1.ngc"));
-    assert_eq!(report[1]["stepover"], 1.5, "clamped to the radius");
-    assert!(report[1]["warnings"][0].as_str().unwrap().contains("above the tool's radius"));
+    assert_eq!(report[1]["stepover"], 2.5, "above the radius, with clean-up");
 }
 
 #[test]
