@@ -51,11 +51,13 @@ pub(crate) fn run(drawing: &mut Drawing, settings: &Settings, report: &mut JobRe
 
     let region = &drawing.region;
     let skeleton = Skeleton::build(region).map_err(|e| Failure::new(Exit::NotProven, "skeleton", e))?;
-    let setup = match typed {
-        Some(setup) => setup,
-        None => chosen(&skeleton, settings)?,
+    let setup = if let Some(setup) = typed {
+        setup
+    } else {
+        let setup = chosen(&skeleton, settings)?;
+        report.set_setup(&setup);
+        setup
     };
-    report.set_setup(&setup);
     let planner = if setup.any_stepover { pocketry_cam::quickest_plans } else { pocketry_cam::plans };
     let plans = planner(region, &skeleton, &setup.job, setup.strategy).map_err(|e| plan_failure(&e))?;
     report.strategies = plans.iter().map(|p| p.1).collect();

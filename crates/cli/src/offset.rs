@@ -4,7 +4,7 @@ use crate::args::{Engine, OffsetArgs};
 use crate::console::{self, figure};
 use crate::drawing;
 use crate::failure::{Exit, Failure};
-use crate::output::write_or_print;
+use crate::output::{form_of, write_or_print};
 use pocketry_geom::Segment;
 use pocketry_geom::offset::{BisectorEngine, Offset, OffsetEngine, OffsetOptions, PairwiseEngine, VoronoiEngine};
 use pocketry_io::export::{Sheet, to_dxf, to_json, to_svg};
@@ -21,14 +21,7 @@ pub(crate) enum Form {
 impl Form {
     /// By the file's ending; JSON for standard output.
     pub(crate) fn of(path: Option<&Path>) -> Result<Self, Failure> {
-        let Some(path) = path else { return Ok(Self::Json) };
-        let ending = path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
-        match ending.as_str() {
-            "dxf" => Ok(Self::Dxf),
-            "svg" => Ok(Self::Svg),
-            "json" => Ok(Self::Json),
-            _ => Err(Failure::arguments(format!("{}: name a file that ends with .dxf, .svg or .json", path.display()))),
-        }
+        form_of(path, &[("dxf", Self::Dxf), ("svg", Self::Svg), ("json", Self::Json)], Self::Json)
     }
 }
 

@@ -36,6 +36,17 @@ impl Outputs {
     }
 }
 
+/// The form that a file's ending asks for, of those that there are; `otherwise` for standard output.
+pub(crate) fn form_of<F: Copy>(path: Option<&Path>, forms: &[(&str, F)], otherwise: F) -> Result<F, Failure> {
+    let Some(path) = path else { return Ok(otherwise) };
+    let ending = path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
+    forms.iter().find(|f| f.0 == ending).map(|f| f.1).ok_or_else(|| {
+        let names: Vec<String> = forms.iter().map(|f| format!(".{}", f.0)).collect();
+        let (last, others) = names.split_last().map_or(("", String::new()), |(l, o)| (l.as_str(), o.join(", ")));
+        Failure::arguments(format!("{}: name a file that ends with {others} or {last}", path.display()))
+    })
+}
+
 /// Refuses a file that is named twice.
 pub(crate) fn distinct(files: &[&Path]) -> Result<(), Failure> {
     let resolved: Vec<PathBuf> = files.iter().map(|f| f.canonicalize().unwrap_or_else(|_| f.to_path_buf())).collect();

@@ -4,7 +4,7 @@ use crate::args::SliceArgs;
 use crate::console::{self, figure};
 use crate::failure::Failure;
 use crate::model;
-use crate::output::write_or_print;
+use crate::output::{form_of, write_or_print};
 use pocketry_geom::mesh::slice::{Slice, SliceOptions, slices};
 use pocketry_io::export::{Sheet, to_dxf, to_region_json, to_svg};
 use std::path::Path;
@@ -20,16 +20,7 @@ enum Form {
 impl Form {
     /// By the file's ending; JSON lines for standard output.
     fn of(path: Option<&Path>) -> Result<Self, Failure> {
-        let Some(path) = path else { return Ok(Self::JsonLines) };
-        match path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase().as_str() {
-            "dxf" => Ok(Self::Dxf),
-            "svg" => Ok(Self::Svg),
-            "jsonl" => Ok(Self::JsonLines),
-            _ => {
-                let message = format!("{}: name a file that ends with .dxf, .svg or .jsonl", path.display());
-                Err(Failure::arguments(message))
-            }
-        }
+        form_of(path, &[("dxf", Self::Dxf), ("svg", Self::Svg), ("jsonl", Self::JsonLines)], Self::JsonLines)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::Row;
 use crate::console::figure;
+use pocketry_io::plot::escape;
 use std::fmt::Write;
 
 /// The drawing area of a panel, in pixels.
@@ -20,7 +21,7 @@ pub(super) fn svg(title: &str, rows: &[Row]) -> String {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\" \
          font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n\
          <text x=\"{LEFT}\" y=\"24\" font-size=\"16\">{}</text>\n",
-        escaped(title)
+        escape(title)
     );
     for (k, name) in ["with clean-up", "without"].iter().enumerate() {
         let x = LEFT + 140.0 * k as f64;
@@ -78,8 +79,4 @@ fn panel(out: &mut String, top: f64, name: &str, rows: &[Row], value: impl Fn(&R
         let _ =
             writeln!(out, "<polyline points=\"{points}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"/>", COLOURS[k]);
     }
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;")
 }

@@ -152,7 +152,7 @@ fn ramp(order: f64) -> String {
 }
 
 /// Text that is safe in XML.
-fn escape(text: &str) -> String {
+pub fn escape(text: &str) -> String {
     text.chars()
         .map(|c| match c {
             '&' => "&amp;".to_owned(),
