@@ -189,6 +189,26 @@ fn corners_centres_and_necks_are_cleaned_up_at_any_stepover() {
     }
 }
 
+/// A ring's middle is a circle of constant clearance, which clean-up walks in small steps: 19,000 moves once.
+#[test]
+fn the_middle_of_a_ring_takes_few_moves() {
+    let circle = |r: f64| [[r, 0.0, 1.0], [-r, 0.0, 1.0]];
+    let ring = region(&[&circle(20.0), &circle(15.86)]);
+    let job = PocketJob { stepover: 0.18, ..job(0.24) };
+    let plan = planned(&ring, &job).unwrap();
+    assert!(leaves_nothing(&ring, &plan, 0.12));
+    assert!(plan.program.moves.len() < 200, "{} moves", plan.program.moves.len());
+}
+
+/// At this size a tolerance in micrometres was never met, and each way along a parabola took 4,096 chords.
+#[test]
+fn ways_in_a_pocket_of_kilometres_take_few_moves() {
+    let island = [[9e5, 4e5, 0.0], [1.1e6, 5.5e5, 0.0], [9.5e5, 6.5e5, 0.0]];
+    let vast = region(&[&[[0.0, 0.0, 0.0], [2e6, 0.0, 0.0], [2e6, 1e6, 0.0], [0.0, 1e6, 0.0]], &island]);
+    let plan = planned(&vast, &PocketJob { stepover: 4e4, ..job(1e5) }).unwrap();
+    assert!(plan.program.moves.len() < 1000, "{} moves", plan.program.moves.len());
+}
+
 #[test]
 fn up_to_the_radius_there_is_nothing_to_clean_up() {
     let job = PocketJob { stepover: 2.9, ..job(6.0) };

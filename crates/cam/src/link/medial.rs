@@ -115,28 +115,22 @@ fn sources(skeleton: &Skeleton, cut: &Cut, d: f64) -> Front {
 /// The way back from the vertex at which a target was reached, put in order.
 fn trace(skeleton: &Skeleton, cut: &Cut, d: f64, front: &Front, target: EdgeId, vertex: VertexId) -> Vec<Segment> {
     let tolerance = degenerate_slack(d);
-    let mut parts = vec![ascent(skeleton, target, d, tolerance).iter().rev().map(Segment::reversed).collect()];
+    let mut parts = vec![EdgeCurve::new(skeleton, target).clear(false, d, tolerance)];
     let mut at = vertex;
     loop {
         match front.best[&at].1 {
             From::Edge(e) => {
-                parts.push(EdgeCurve::new(skeleton, e).whole(upward(skeleton, e) == e, tolerance));
+                parts.push(EdgeCurve::new(skeleton, e).clear(upward(skeleton, e) == e, d, tolerance));
                 at = skeleton.origin(e);
             }
             From::Loop(k) => {
-                parts.push(ascent(skeleton, cut.crossings[k], d, tolerance));
+                parts.push(EdgeCurve::new(skeleton, cut.crossings[k]).clear(true, d, tolerance));
                 parts.push(cut.way(k));
                 break;
             }
         }
     }
     parts.into_iter().rev().flatten().collect()
-}
-
-/// From the crossing at `d` up an edge to its upper end.
-fn ascent(skeleton: &Skeleton, crossing: EdgeId, d: f64, tolerance: f64) -> Vec<Segment> {
-    let curve = EdgeCurve::new(skeleton, crossing);
-    curve.between(d, curve.high().clearance, tolerance)
 }
 
 fn length(skeleton: &Skeleton, e: EdgeId) -> f64 {

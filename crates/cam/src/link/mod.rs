@@ -8,8 +8,10 @@
 //! - A *medial way* leads along a loop that is already cut, and along edges of the skeleton whose clearance is above the
 //!   loops' distance. It serves what a straight step would miss: the loops around islands.
 
+mod fit;
 mod medial;
 
+pub(crate) use fit::fitted;
 pub(crate) use medial::{Fans, medial_way};
 
 use pocketry_geom::skeleton::SiteShape;

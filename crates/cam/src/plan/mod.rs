@@ -70,7 +70,9 @@ pub(crate) fn plan_from(region: &Region, skeleton: &Skeleton, job: &PocketJob, f
         });
     }
     let radius = job.tool.radius();
-    let cleanups = if job.cleanup { cleanup::add(skeleton, &mut levels, &distances, radius) } else { Vec::new() };
+    // Loops no farther apart than the tool's radius leave nothing.
+    let leaves = job.cleanup && stepover > radius;
+    let cleanups = if leaves { cleanup::add(skeleton, &mut levels, &distances, radius) } else { Vec::new() };
     let chains = Orderer::new(skeleton, &levels).chains();
     warnings.extend(report::unreached(skeleton, &trees, first, job.stock_to_leave));
     let mut plan = moves::write(&levels, &chains, job, first);

@@ -192,18 +192,11 @@ impl<'a> Orderer<'a> {
         let leaving = &last.cut.segments[segment];
         let towards_wall: Vec2 = leaving.start_tangent().right();
         let at = leaving.start() + towards_wall * (from.distance - to.distance);
-        let site = self.site_of(last, leaving).filter(|&site| site != NONE)?;
+        let site = Some(last.cut.sites[segment]).filter(|&site| site != NONE)?;
         let landing = self.landing(at, site, to.level, &|t| left.contains(&t))?;
         let mut link = last.cut.way(segment);
         link.push(Segment::line(leaving.start(), landing.point));
         Some(self.step(landing, link, LinkKind::SideStep))
-    }
-
-    /// The site that a segment of a cut is parallel to.
-    fn site_of(&self, step: &Step, segment: &Segment) -> Option<SiteId> {
-        let track = &self.levels.tracks[step.track as usize];
-        let same = |s: &Segment| s.end() == segment.end();
-        track.segments.iter().position(same).map(|k| track.sites[k])
     }
 
     /// From a loop to another one of the same area, along the skeleton.

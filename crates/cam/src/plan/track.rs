@@ -45,6 +45,8 @@ pub(crate) struct Landing {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Cut {
     pub(crate) segments: Vec<Segment>,
+    /// For each segment its site, `NONE` on degenerate paths.
+    pub(crate) sites: Vec<SiteId>,
     pub(crate) crossings: Vec<EdgeId>,
     pub(crate) start: Point,
 }
@@ -129,25 +131,28 @@ impl Track {
     /// The track as travelled from a landing.
     pub(crate) fn cut_from(&self, landing: Landing) -> Cut {
         if self.segments.is_empty() {
-            return Cut { segments: Vec::new(), crossings: Vec::new(), start: self.start };
+            return Cut { start: self.start, ..Cut::default() };
         }
         let (k, p) = (landing.segment, landing.point);
         let order = (k..self.segments.len()).chain(0..k);
         let mut segments: Vec<Segment> = order.clone().map(|i| self.segments[i]).collect();
+        let mut sites: Vec<SiteId> = order.clone().map(|i| self.sites[i]).collect();
         let mut crossings: Vec<EdgeId> = order.map(|i| self.crossings[i]).collect();
         if p == segments[0].end() {
             // Tours that start here come last: the first segment is parallel to a wall.
             let tour = (1..self.sites.len()).take_while(|i| self.sites[(k + i) % self.sites.len()] == NONE).count();
             segments.rotate_left(1 + tour);
+            sites.rotate_left(1 + tour);
             crossings.rotate_left(1 + tour);
         } else if p != segments[0].start() {
             let (before, after) = segments[0].split_at(p);
             segments[0] = after;
             segments.push(before);
+            sites.push(sites[0]);
             crossings[0] = NONE;
             crossings.push(NONE);
         }
-        Cut { segments, crossings, start: p }
+        Cut { segments, sites, crossings, start: p }
     }
 }
 

@@ -3,7 +3,7 @@
 use super::forest::Forest;
 use super::prune::tours;
 use super::{Cleanup, Piece, Place, Way, trusted};
-use crate::link::towards;
+use crate::link::{fitted, towards};
 use crate::plan::order::Orderer;
 use crate::plan::track::Insertion;
 use pocketry_geom::offset::{EdgeCurve, degenerate_slack, upward};
@@ -15,6 +15,9 @@ use std::collections::HashMap;
 
 /// Places of a centre that are tried as the one where its path begins.
 const CANDIDATES: usize = 12;
+
+/// How far arcs may leave the chords of a path, as a share of how far the chords may leave the skeleton.
+const FIT_SHARE: f64 = 0.25;
 
 /// What clean-up takes.
 #[derive(Debug, Default)]
@@ -124,7 +127,8 @@ impl Range<'_> {
             } else {
                 self.rooted(&named.piece)
             };
-            for (track, insertion) in found {
+            for (track, mut insertion) in found {
+                insertion.tour = fitted(&insertion.tour, FIT_SHARE * degenerate_slack(self.radius));
                 let length = insertion.tour.iter().map(Segment::length).sum();
                 let start = insertion.tour[0].start();
                 gathered.cleanups.push(Cleanup { kind: named.piece.kind(), start, length });

@@ -28,6 +28,27 @@ pub struct EdgeCurve {
     left: Carrier,
 }
 
+/// How far chords may leave an edge.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Chording {
+    tolerance: f64,
+    /// Chords that keep this clearance may leave it further.
+    floor: f64,
+}
+
+impl From<f64> for Chording {
+    fn from(tolerance: f64) -> Self {
+        Self { tolerance, floor: f64::INFINITY }
+    }
+}
+
+impl Chording {
+    /// Whether a chord between points of these clearances keeps clear: clearance changes by no more than the way.
+    fn is_clear(self, a: (f64, Point), b: (f64, Point)) -> bool {
+        0.5 * (a.0 + b.0 - a.1.distance(b.1)) >= self.floor
+    }
+}
+
 impl EdgeCurve {
     /// The curve of a half-edge or its twin: both give the same.
     pub fn new(skeleton: &Skeleton, edge: EdgeId) -> Self {
@@ -69,19 +90,34 @@ impl EdgeCurve {
     /// The part of the edge between two clearances, from `from` to `to`, as lines and arcs: exact where the edge is
     /// straight or circular, else chords that stay within `tolerance` of it.
     pub fn between(&self, from: f64, to: f64, tolerance: f64) -> Vec<Segment> {
-        self.path((from, self.at_clearance(from)), (to, self.at_clearance(to)), from <= to, tolerance)
+        self.path((from, self.at_clearance(from)), (to, self.at_clearance(to)), from <= to, tolerance.into())
     }
 
     /// The whole edge as lines and arcs, upwards or downwards; see [`EdgeCurve::between`]. It serves edges of constant
     /// clearance too.
     pub fn whole(&self, upward: bool, tolerance: f64) -> Vec<Segment> {
+        self.end_to_end(upward, tolerance.into())
+    }
+
+    /// The edge as a way for a tool that has to keep the clearance `floor`: from end to end, or up from where the edge has
+    /// it. Curved edges are left for chords of any length that provably keep it, else followed within `tolerance`.
+    pub fn clear(&self, upward: bool, floor: f64, tolerance: f64) -> Vec<Segment> {
+        let chording = Chording { tolerance, floor };
+        if floor <= self.low.clearance {
+            return self.end_to_end(upward, chording);
+        }
+        let (low, high) = ((floor, self.at_clearance(floor)), (self.high.clearance, self.high.point));
+        if upward { self.path(low, high, true, chording) } else { self.path(high, low, false, chording) }
+    }
+
+    fn end_to_end(&self, upward: bool, chording: Chording) -> Vec<Segment> {
         let end = |v: Vertex| (v.clearance, v.point);
         let (low, high) = (end(self.low), end(self.high));
-        if upward { self.path(low, high, true, tolerance) } else { self.path(high, low, false, tolerance) }
+        if upward { self.path(low, high, true, chording) } else { self.path(high, low, false, chording) }
     }
 
     /// The part between two points given with their clearances.
-    pub(super) fn path(&self, from: (f64, Point), to: (f64, Point), upward: bool, tolerance: f64) -> Vec<Segment> {
+    pub(super) fn path(&self, from: (f64, Point), to: (f64, Point), upward: bool, by: Chording) -> Vec<Segment> {
         let (start, end) = (from.1, to.1);
         if start == end {
             return Vec::new();
@@ -95,9 +131,9 @@ impl EdgeCurve {
         let mut points = vec![start];
         if self.high.clearance - self.low.clearance <= FLAT_EDGE * self.scale() {
             let ends = [start, end].map(|p| (self.share_of(p), p));
-            self.flat_chords(ends[0], ends[1], tolerance, CHORD_DEPTH, &mut points);
+            self.flat_chords(ends[0], ends[1], by, CHORD_DEPTH, &mut points);
         } else {
-            self.chords(from, to, tolerance, CHORD_DEPTH, &mut points);
+            self.chords(from, to, by, CHORD_DEPTH, &mut points);
         }
         points.windows(2).filter(|w| w[0] != w[1]).map(|w| Segment::line(w[0], w[1])).collect()
     }
@@ -125,28 +161,36 @@ impl EdgeCurve {
         (constant && concentric && radius > 0.0).then_some(Arc { start, end, center: right, radius, ccw })
     }
 
-    fn chords(&self, a: (f64, Point), b: (f64, Point), tolerance: f64, depth: usize, out: &mut Vec<Point>) {
+    fn chords(&self, a: (f64, Point), b: (f64, Point), by: Chording, depth: usize, out: &mut Vec<Point>) {
+        if by.is_clear(a, b) {
+            out.push(b.1);
+            return;
+        }
         let clearance = a.0.midpoint(b.0);
         let middle = self.at_clearance(clearance);
         let off = Segment::line(a.1, b.1).distance(middle);
-        if depth == 0 || (off <= 0.5 * tolerance && depth < CHORD_DEPTH) {
+        if depth == 0 || (off <= 0.5 * by.tolerance && depth < CHORD_DEPTH) {
             out.push(b.1);
         } else {
-            self.chords(a, (clearance, middle), tolerance, depth - 1, out);
-            self.chords((clearance, middle), b, tolerance, depth - 1, out);
+            self.chords(a, (clearance, middle), by, depth - 1, out);
+            self.chords((clearance, middle), b, by, depth - 1, out);
         }
     }
 
     /// The same where clearance is too nearly constant to tell points apart: halved by their place along the chord.
-    fn flat_chords(&self, a: (f64, Point), b: (f64, Point), tolerance: f64, depth: usize, out: &mut Vec<Point>) {
+    fn flat_chords(&self, a: (f64, Point), b: (f64, Point), by: Chording, depth: usize, out: &mut Vec<Point>) {
+        if by.is_clear((self.low.clearance, a.1), (self.low.clearance, b.1)) {
+            out.push(b.1);
+            return;
+        }
         let share = a.0.midpoint(b.0);
         let middle = self.on_bisector(share);
         let off = Segment::line(a.1, b.1).distance(middle);
-        if depth == 0 || off <= 0.5 * tolerance || !middle.is_finite() {
+        if depth == 0 || off <= 0.5 * by.tolerance || !middle.is_finite() {
             out.push(b.1);
         } else {
-            self.flat_chords(a, (share, middle), tolerance, depth - 1, out);
-            self.flat_chords((share, middle), b, tolerance, depth - 1, out);
+            self.flat_chords(a, (share, middle), by, depth - 1, out);
+            self.flat_chords((share, middle), b, by, depth - 1, out);
         }
     }
 

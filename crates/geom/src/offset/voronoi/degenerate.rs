@@ -189,6 +189,6 @@ impl<'a> Graph<'a> {
         let p = &self.parts[part];
         let (low, high) = ((p.from, self.place(p.low)), (p.to, self.place(p.high)));
         let (from, to) = if up { (low, high) } else { (high, low) };
-        EdgeCurve::new(self.skeleton, p.edge).path(from, to, up, self.slack)
+        EdgeCurve::new(self.skeleton, p.edge).path(from, to, up, self.slack.into())
     }
 }
