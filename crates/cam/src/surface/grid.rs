@@ -54,19 +54,4 @@ impl HeightGrid {
     pub fn height(&self, column: usize, row: usize) -> f64 {
         self.heights[row * self.columns + column]
     }
-
-    /// The lowest height, where the cutter meets anything; infinite where it meets nothing anywhere.
-    pub fn lowest(&self) -> f64 {
-        self.heights.iter().copied().filter(|h| h.is_finite()).fold(f64::INFINITY, f64::min)
-    }
-
-    /// The height between nodes, from those of the cell's four, mm; `None` outside the grid.
-    pub fn interpolated(&self, p: Point) -> Option<f64> {
-        let (x, y) = ((p.x - self.origin.x) / self.step, (p.y - self.origin.y) / self.step);
-        let inside = (0.0..=(self.columns - 1) as f64).contains(&x) && (0.0..=(self.rows - 1) as f64).contains(&y);
-        let (i, j) = ((x as usize).min(self.columns - 2), (y as usize).min(self.rows - 2));
-        let (s, t) = (x - i as f64, y - j as f64);
-        let row = |j: usize| (1.0 - s) * self.height(i, j) + s * self.height(i + 1, j);
-        inside.then(|| (1.0 - t) * row(j) + t * row(j + 1))
-    }
 }

@@ -5,26 +5,42 @@
 //! 2. In each cell, crossings are joined so that free ground lies to the left; where all four edges are crossed, the surface at the
 //!    cell's middle says how. Every crossing leaves one cell and enters another: the lines close by construction.
 //! 3. Crossings are settled on the surface itself, by bisection of the grid edge: the grid's heights are not interpolated,
-//!    since a CL-surface has cliffs. They end on the free side.
+//!    since a CL-surface has cliffs. They end on the free side, strictly between the edge's nodes.
 //! 4. A chord whose middle lies off the line by more than the tolerance is split there, and so on: sharp corners
-//!    are found and arcs followed. Points stay within their cell, so that lines of different cells can't cross.
-//! 5. Points that a line can do without are dropped ([`super::simplify`]).
+//!    are found and arcs followed ([`refine`]). Every chord has a convex room of its own.
+//! 5. Points that a line can do without are dropped ([`super::simplify`]); lines that would then cross keep all of theirs.
 //!
-//! What is smaller than a cell may be missed: free ground is then lost, and obstacles narrower than a cell are seen only where a
-//! node or a crossing meets them. Cutters whose flat is wider than the cell's diagonal have no such obstacles.
+//! Lines cross neither themselves nor each other, whatever the surface answers: up to step 4 the open chords lie in rooms that
+//! don't meet, and their ends are distinct. No answer of the surface is trusted to agree with another one, which matters
+//! where a wall stands right on a node or a cell's middle and rounding says on which side.
+//!
+//! What is narrower than a cell, such as the tip of a cusp, may be missed: free ground is then lost, and obstacles narrower
+//! than a cell are seen only where a node or a crossing meets them. Cutters whose flat is wider than the cell's diagonal have no such obstacles.
+
+mod refine;
+#[cfg(test)]
+mod tests;
 
 use super::simplify::simplify;
 use super::{ClSurface, HeightGrid};
 use pocketry_geom::repair::{self, RegionError, RepairOptions};
 use pocketry_geom::tolerance::surface::{CONTOUR, SETTLED, SIMPLIFY};
-use pocketry_geom::{Contour, Point, Region, Segment, Vec2};
+use pocketry_geom::{Contour, Point, Region, Segment};
+use refine::Room;
 use std::collections::BTreeMap;
-
-/// Chords are split no more often than this.
-const DEEPEST: usize = 7;
 
 /// A grid edge: column and row of its first node (the ring around the grid counts from -1), and whether it goes up.
 type GridEdge = (isize, isize, bool);
+
+/// The way from one crossing to the next.
+#[derive(Clone, Copy, Debug)]
+struct Link {
+    to: GridEdge,
+    /// The cell between them, by its lowest node.
+    cell: (isize, isize),
+    /// The corner that it goes around, where another way of the cell goes around the opposite one.
+    corner: Option<usize>,
+}
 
 impl HeightGrid {
     /// Where the tip may be at height `z`: a region whose boundary already is one of the tool's centre.
@@ -38,8 +54,24 @@ impl HeightGrid {
         admits: &(dyn Fn(Point) -> bool + Sync),
     ) -> Result<Region, RegionError> {
         let lines = self.contours(surface, z, admits);
-        let simple: Vec<Vec<Point>> = lines.iter().map(|l| simplify(l, SIMPLIFY)).collect();
-        region_of(&simple).or_else(|_| region_of(&lines))
+        let both = lines.into_iter().map(|l| (simplify(&l, SIMPLIFY), l));
+        // What has no more than two points is narrower than the tolerance.
+        let (mut lines, mut full): (Vec<_>, Vec<_>) = both.filter(|(simple, _)| simple.len() > 2).unzip();
+        loop {
+            match region_of(&lines) {
+                Err(RegionError::Crossing { first, second, .. })
+                    if [first, second].iter().any(|&k| !full[k as usize].is_empty()) =>
+                {
+                    for k in [first as usize, second as usize] {
+                        let points = std::mem::take(&mut full[k]);
+                        if !points.is_empty() {
+                            lines[k] = points;
+                        }
+                    }
+                }
+                done => return done,
+            }
+        }
     }
 
     /// The contour lines at height `z` as closed sequences of points, free ground to the left; ground that is not admitted
@@ -50,31 +82,29 @@ impl HeightGrid {
         let mut lines = Vec::new();
         while let Some((&first, _)) = next.first_key_value() {
             let mut line = Vec::new();
-            let mut at = first;
-            while let Some((to, cell)) = next.remove(&at) {
-                let (from, end) = (tracer.crossing(at), tracer.crossing(to));
+            let start = tracer.crossing(first);
+            let (mut at, mut from) = (first, start);
+            while let Some(link) = next.remove(&at) {
+                let end = if link.to == first { start } else { tracer.crossing(link.to) };
                 line.push(from);
-                tracer.refine(cell, from, end, 0, &mut line);
-                at = to;
+                tracer.refine(&Room::of(&tracer, link), from, end, 0, &mut line);
+                (at, from) = (link.to, end);
             }
-            line.dedup();
             lines.push(line);
         }
-        lines.retain(|l| l.len() > 2);
         lines
     }
 }
 
 fn region_of(lines: &[Vec<Point>]) -> Result<Region, RegionError> {
-    let contour = |l: &Vec<Point>| {
-        let ends = l.iter().zip(l.iter().cycle().skip(1));
-        Contour::new(ends.filter(|(a, b)| a != b).map(|(&a, &b)| Segment::line(a, b)).collect())
-    };
-    let contours: Vec<Contour> = lines.iter().map(contour).filter(|c| c.segments.len() > 2).collect();
-    if contours.is_empty() {
+    if lines.is_empty() {
         return Ok(Region::default());
     }
-    match repair::build(contours, &RepairOptions { join_tolerance: CONTOUR }) {
+    let contour = |l: &Vec<Point>| {
+        let ends = l.iter().zip(l.iter().cycle().skip(1));
+        Contour::new(ends.map(|(&a, &b)| Segment::line(a, b)).collect())
+    };
+    match repair::build(lines.iter().map(contour).collect(), &RepairOptions { join_tolerance: CONTOUR }) {
         Ok(healed) => Ok(healed.region),
         Err(RegionError::Nothing { .. }) => Ok(Region::default()),
         Err(other) => Err(other),
@@ -100,8 +130,18 @@ impl Tracer<'_> {
         inside && self.grid.height(i as usize, j as usize) <= self.z && (self.admits)(self.grid.place(i, j))
     }
 
-    /// Step 2: for each crossing the next one and the cell between them.
-    fn links(&self) -> BTreeMap<GridEdge, (GridEdge, (isize, isize))> {
+    /// Whether all nodes of a cell are alike, so that no line starts in it.
+    fn is_uncut(&self, (i, j): (isize, isize)) -> bool {
+        let first = self.is_free_node(i, j);
+        [(i + 1, j), (i + 1, j + 1), (i, j + 1)].iter().all(|&(i, j)| self.is_free_node(i, j) == first)
+    }
+
+    fn middle(&self, (i, j): (isize, isize)) -> Point {
+        self.grid.place(i, j).midpoint(self.grid.place(i + 1, j + 1))
+    }
+
+    /// Step 2: for each crossing the way to the next one.
+    fn links(&self) -> BTreeMap<GridEdge, Link> {
         let mut next = BTreeMap::new();
         let (columns, rows) = (self.grid.columns().cast_signed(), self.grid.rows().cast_signed());
         let row = |j: isize| -> Vec<bool> { (-1..=columns).map(|i| self.is_free_node(i, j)).collect() };
@@ -120,36 +160,36 @@ impl Tracer<'_> {
         next
     }
 
-    fn link_cell(
-        &self,
-        (i, j): (isize, isize),
-        free: [bool; 4],
-        next: &mut BTreeMap<GridEdge, (GridEdge, (isize, isize))>,
-    ) {
+    fn link_cell(&self, (i, j): (isize, isize), free: [bool; 4], next: &mut BTreeMap<GridEdge, Link>) {
         // Counter-clockwise: edge k leads from corner k to the next one.
         let edges = [(i, j, false), (i + 1, j, true), (i, j + 1, false), (i, j, true)];
         let leaves: Vec<usize> = (0..4).filter(|&k| free[k] && !free[(k + 1) % 4]).collect();
         let enters: Vec<usize> = (0..4).filter(|&k| !free[k] && free[(k + 1) % 4]).collect();
-        let joined = leaves.len() == 2 && self.is_free(self.grid.place(i, j).midpoint(self.grid.place(i + 1, j + 1)));
+        let joined = leaves.len() == 2 && self.is_free(self.middle((i, j)));
         for &k in &leaves {
-            // Around its own corner to the edge before, or around the corner that is not free to the edge behind.
-            let step = if joined { 1 } else { 3 };
-            let to = if leaves.len() == 2 { (k + step) % 4 } else { enters[0] };
-            next.insert(edges[k], (edges[to], (i, j)));
+            let (to, corner) = match (leaves.len(), joined) {
+                (2, true) => ((k + 1) % 4, Some((k + 1) % 4)),
+                (2, false) => ((k + 3) % 4, Some(k)),
+                _ => (enters[0], None),
+            };
+            next.insert(edges[k], Link { to: edges[to], cell: (i, j), corner });
         }
     }
 
     /// Step 3.
     fn crossing(&self, (i, j, up): GridEdge) -> Point {
         let (a, b) = (self.grid.place(i, j), if up { self.grid.place(i, j + 1) } else { self.grid.place(i + 1, j) });
-        if self.is_free_node(i, j) { self.settle(a, b) } else { self.settle(b, a) }
+        let (free, taken) = if self.is_free_node(i, j) { (a, b) } else { (b, a) };
+        // Half a step of the search off the nodes, so that no two crossings are one.
+        let off = (0.5 * SETTLED * CONTOUR / free.distance(taken)).min(0.25);
+        free.lerp(taken, self.settle(free, taken).clamp(off, 1.0 - off))
     }
 
-    /// The last free point on the way from a free point to one that is not, to a share of the tolerance.
+    /// The last free point on the way from a free point to one that is not, to a share of the tolerance, as a share of the way.
     ///
     /// Guesses by the heights of both, a little to either side of what they say, so that a smooth surface is bracketed in a
     /// few steps; halves where that does not help, as at cliffs.
-    fn settle(&self, free: Point, taken: Point) -> Point {
+    fn settle(&self, free: Point, taken: Point) -> f64 {
         let whole = free.distance(taken);
         let near = SETTLED * CONTOUR / whole;
         let height = |t: f64| {
@@ -174,58 +214,6 @@ impl Tracer<'_> {
             }
             halve = !halve && high - low > 0.5 * before;
         }
-        free.lerp(taken, low)
-    }
-
-    /// Step 4: the points between two points of a cell's line, pushed in order.
-    fn refine(&self, cell: (isize, isize), from: Point, to: Point, depth: usize, line: &mut Vec<Point>) {
-        let length = from.distance(to);
-        if depth == DEEPEST || length <= 2.0 * CONTOUR {
-            return;
-        }
-        let middle = from.midpoint(to);
-        let inwards = ((to - from) / length).left();
-        let Some(found) = self.line_near(cell, middle, inwards) else { return };
-        if found.distance(middle) <= CONTOUR {
-            return;
-        }
-        self.refine(cell, from, found, depth + 1, line);
-        line.push(found);
-        self.refine(cell, found, to, depth + 1, line);
-    }
-
-    /// The line's point straight across a chord's middle, within the cell; the middle itself where it is near enough.
-    fn line_near(&self, cell: (isize, isize), middle: Point, inwards: Vec2) -> Option<Point> {
-        let (way, start_free) = if self.is_free(middle) { (-inwards, true) } else { (inwards, false) };
-        let room = self.room(cell, middle, way);
-        let mut reach = CONTOUR;
-        let mut last = middle;
-        // Ever longer steps, so that near lines, the usual ones, are found soon.
-        loop {
-            let end = middle + way * reach.min(room);
-            if self.is_free(end) != start_free {
-                return Some(if start_free { self.settle(last, end) } else { self.settle(end, last) });
-            }
-            if reach >= room {
-                return None;
-            }
-            last = end;
-            reach *= 4.0;
-        }
-    }
-
-    /// How far one may go from a point of a cell within it.
-    fn room(&self, (i, j): (isize, isize), p: Point, way: Vec2) -> f64 {
-        let (low, high) = (self.grid.place(i, j), self.grid.place(i + 1, j + 1));
-        let along = |p: f64, way: f64, low: f64, high: f64| {
-            if way > 0.0 {
-                (high - p) / way
-            } else if way < 0.0 {
-                (low - p) / way
-            } else {
-                f64::INFINITY
-            }
-        };
-        along(p.x, way.x, low.x, high.x).min(along(p.y, way.y, low.y, high.y)).max(0.0)
+        low
     }
 }
