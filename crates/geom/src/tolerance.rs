@@ -181,6 +181,11 @@ pub mod proof {
     /// the last place, several times what its longest chain of operations loses.
     pub const ROUNDING: f64 = 256.0 * f64::EPSILON;
 
+    /// The share of the cover tolerance by which a profile must keep clear of walls for a place to be expected of it. In a sharp
+    /// corner of its admissible places, of angle φ, their outline lies 1/sin(φ/2) times as far from that without any clearance, and
+    /// yet must lie within the cover tolerance of the path: so down to some 20 degrees.
+    pub const PROFILE_REACH_SHARE: f64 = 0.125;
+
     /// Arcs that lie nearer than this part of the gouge limit to their chords are judged as their chords (and the limit tightened).
     pub const FLATNESS: f64 = 1e-3;
 

@@ -19,6 +19,7 @@ mod gouge;
 mod limits;
 pub mod options;
 mod outline;
+mod profile;
 mod reach;
 pub mod report;
 pub mod surface;
@@ -28,6 +29,7 @@ mod walls;
 
 pub use gcode::ProgramError;
 pub use options::{Budget, PathControl, VerifyOptions};
+pub use profile::verify_profile;
 pub use report::{Figures, Gouge, Report, Spot, Violation};
 pub use surface::{RoughOptions, RoughReport, verify_rough};
 

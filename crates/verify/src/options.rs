@@ -84,6 +84,11 @@ impl Budget {
     }
 }
 
+/// Bound of the rounding in a distance computed from coordinates in this box.
+pub(crate) fn rounding_of(bbox: BBox) -> f64 {
+    ROUNDING * largest(bbox)
+}
+
 /// How far ends of the region's arcs lie off their circles: drawings round their numbers.
 fn misfit(region: &Region) -> f64 {
     let of = |s: &Segment| match s {
