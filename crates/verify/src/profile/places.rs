@@ -5,7 +5,7 @@ use super::sum;
 use crate::tree::Tree;
 use crate::walls::Walls;
 use crate::{clip, distance, outline};
-use pocketry_geom::tolerance::proof::SMOOTH_JOINT;
+use pocketry_geom::tolerance::proof::{CUSP, SMOOTH_JOINT};
 use pocketry_geom::{Arc, Point, Segment, Vec2};
 use rayon::prelude::*;
 use std::f64::consts::PI;
@@ -100,7 +100,7 @@ impl<'a> Places<'a> {
         let mut curves = Vec::new();
         for (wall, &next) in self.walls.segments.iter().zip(&self.walls.next) {
             let turn = wall.end_tangent().angle_to(self.walls.segments[next as usize].start_tangent());
-            let reflex = turn < -SMOOTH_JOINT || turn > PI - pocketry_geom::tolerance::proof::CUSP;
+            let reflex = !(-SMOOTH_JOINT..=PI - CUSP).contains(&turn);
             for edge in &grown {
                 sum::envelopes(wall, edge, &mut curves);
                 if reflex {
