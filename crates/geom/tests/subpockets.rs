@@ -13,8 +13,8 @@ use proptest::prelude::*;
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 
-/// Larger regions of the corpus are left to the release build's example.
-const MOST_EDGES: usize = 400;
+/// Larger regions of the corpus are left to release builds (`cargo test --release -p pocketry-geom --test subpockets`).
+const MOST_EDGES: usize = if cfg!(debug_assertions) { 400 } else { 1_000_000 };
 /// What a clearance may be off, relative to the region's size.
 const ACCURACY: f64 = 1e-7;
 /// Walls this much farther than the nearest still count as contacts, relative to the region's size: a vertex of high degree

@@ -46,8 +46,9 @@ pub enum PlanError {
 /// What was done differently from what was asked, or cannot be done.
 #[derive(Clone, Debug, PartialEq, Serialize, thiserror::Error)]
 pub enum Warning {
-    /// The stepover was above the tool's diameter less the tolerance, where ridges would stay between loops.
-    #[error("stepover {asked} mm is above the tool's diameter; {used} mm is used")]
+    /// The stepover was above what the tool path takes, where ridges would stay between loops: the tool's diameter less the
+    /// tolerance for tool path I, the tool's radius for tool path II.
+    #[error("a stepover of {asked} mm would leave ridges between the loops; {used} mm is used")]
     StepoverClamped {
         /// mm.
         asked: f64,

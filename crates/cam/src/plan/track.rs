@@ -128,6 +128,14 @@ impl Track {
         ends.into_iter().find(|e| e.distance(p) <= snap).unwrap_or(p)
     }
 
+    /// How many segments the tours that start at the end of segment `k` have. They come last where the tool enters there:
+    /// the segment after them is parallel to a wall. Critical edges have no site either, but do not come back.
+    fn tours_after(&self, k: usize) -> usize {
+        let (n, at) = (self.segments.len(), self.segments[k].end());
+        let without_site = (1..n).take_while(|i| self.sites[(k + i) % n] == NONE);
+        without_site.filter(|i| self.segments[(k + i) % n].end() == at).last().unwrap_or(0)
+    }
+
     /// The track as travelled from a landing.
     pub(crate) fn cut_from(&self, landing: Landing) -> Cut {
         if self.segments.is_empty() {
@@ -139,8 +147,7 @@ impl Track {
         let mut sites: Vec<SiteId> = order.clone().map(|i| self.sites[i]).collect();
         let mut crossings: Vec<EdgeId> = order.map(|i| self.crossings[i]).collect();
         if p == segments[0].end() {
-            // Tours that start here come last: the first segment is parallel to a wall.
-            let tour = (1..self.sites.len()).take_while(|i| self.sites[(k + i) % self.sites.len()] == NONE).count();
+            let tour = self.tours_after(k);
             segments.rotate_left(1 + tour);
             sites.rotate_left(1 + tour);
             crossings.rotate_left(1 + tour);
@@ -171,5 +178,46 @@ impl Cut {
         } else {
             behind.iter().rev().map(Segment::reversed).collect()
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pocketry_geom::point;
+
+    /// A track through points, with segments that have no site.
+    fn track(points: &[[f64; 2]], without_site: &[usize]) -> Track {
+        let at = |k: usize| point(points[k % points.len()][0], points[k % points.len()][1]);
+        let n = points.len();
+        let site = |k: usize| if without_site.contains(&k) { NONE } else { k as SiteId };
+        Track {
+            segments: (0..n).map(|k| Segment::line(at(k), at(k + 1))).collect(),
+            sites: (0..n).map(site).collect(),
+            crossings: vec![NONE; n],
+            start: at(0),
+            ..Track::default()
+        }
+    }
+
+    fn entered_at_end_of(track: &Track, segment: usize) -> Cut {
+        track.cut_from(Landing { track: 0, segment, point: track.segments[segment].end() })
+    }
+
+    #[test]
+    fn a_tour_at_the_entry_comes_last() {
+        let track = track(&[[0.0, 0.0], [9.0, 0.0], [4.0, 4.0], [9.0, 0.0], [9.0, 9.0]], &[1, 2]);
+        let cut = entered_at_end_of(&track, 0);
+        assert_eq!((cut.start, cut.segments[0]), (point(9.0, 0.0), track.segments[3]));
+        assert_eq!(cut.segments[4], track.segments[2]);
+    }
+
+    #[test]
+    fn critical_edges_after_the_entry_are_no_tour() {
+        // Between neighbours: up to one critical edge, along it and along the next, which meet near the passes' centre.
+        let track = track(&[[0.0, 0.0], [9.0, 0.0], [5.0, 4.0], [0.0, 9.0]], &[1, 2]);
+        let cut = entered_at_end_of(&track, 0);
+        assert_eq!((cut.start, cut.segments[0]), (point(9.0, 0.0), track.segments[1]));
+        assert_eq!(cut.segments[0].start(), cut.start);
     }
 }

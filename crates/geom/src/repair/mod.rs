@@ -6,7 +6,7 @@
 //! 2. [`circles`]: arcs of one circle share its centre and radius exactly;
 //! 3. [`duplicates`]: loops without area and loops drawn twice are dropped;
 //! 4. [`contacts`]: edges that cross are an error unless they bound a mere sliver; ends on other edges and tangencies
-//!    are touches;
+//!    are touches; where a loop crosses itself, [`curls`] no larger than the join tolerance are cut off first;
 //! 5. [`arrangement`]: edges are split at touches, pieces that cover each other cancel in pairs;
 //! 6. [`fans`], [`sides`]: which side of every edge is interior, by parity from the left;
 //! 7. [`splice`]: contours that keep the interior to the left and walk each wedge of it at a touch by itself;
@@ -19,6 +19,7 @@ mod arrangement;
 mod circles;
 mod clean;
 mod contacts;
+mod curls;
 mod duplicates;
 mod fans;
 mod report;
@@ -40,13 +41,18 @@ use crate::tolerance;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RepairOptions {
     /// Contours that nowhere lie farther apart than this are one drawn twice, and slivers no wider than this where edges
-    /// cross are dropped, mm; but never above [`tolerance::NARROW`] of the size.
+    /// cross are dropped, mm; but never above [`tolerance::NARROW`] of the size. Curls up to this are cut off, but never
+    /// above [`tolerance::CURL`] of the size.
     pub join_tolerance: f64,
 }
 
 impl RepairOptions {
     fn narrow(self, bbox: BBox) -> f64 {
         self.join_tolerance.min(tolerance::NARROW * bbox.size())
+    }
+
+    fn largest_curl(self, bbox: BBox) -> f64 {
+        self.join_tolerance.min(tolerance::CURL * bbox.size())
     }
 }
 
@@ -86,9 +92,14 @@ pub fn build(loops: Vec<Contour>, options: &RepairOptions) -> Result<Healed, Reg
     circles::snap(&mut loops, bbox);
     duplicates::drop_repeated(&mut loops, options.narrow(bbox), &mut notes);
     let closeness = Closeness { touch, lens: options.narrow(bbox) };
-    let (edges, next) = edges_of(&loops);
-    let mut index = SegmentIndex::new(&edges.iter().map(|e| e.segment).collect::<Vec<_>>());
-    let contacts = contacts::find(&edges, &next, &index, closeness)?;
+    let mut drawn = Drawn::new(&loops);
+    let mut found = drawn.contacts(closeness);
+    if found.is_err() && curls::cut_off(&mut loops, options.largest_curl(bbox), closeness, &mut notes) {
+        drawn = Drawn::new(&loops);
+        found = drawn.contacts(closeness);
+    }
+    let contacts = found?;
+    let Drawn { edges, next, mut index } = drawn;
     let as_drawn = contacts.is_empty();
     let (pieces, vertices) = arrangement::pieces(&edges, &next, contacts, closeness, &mut notes);
     if pieces.is_empty() {
@@ -106,18 +117,31 @@ pub fn build(loops: Vec<Contour>, options: &RepairOptions) -> Result<Healed, Reg
 }
 
 /// All edges with the names of their loops, and for each the one that follows.
-fn edges_of(loops: &[(u32, Contour)]) -> (Vec<Edge>, Vec<u32>) {
-    let mut edges = Vec::new();
-    let mut next = Vec::new();
-    for (contour, c) in loops {
-        let first = edges.len() as u32;
-        edges.extend(c.segments.iter().map(|&segment| Edge { segment, contour: *contour }));
-        next.extend((first..edges.len() as u32).map(|k| k + 1));
-        if let Some(last) = next.last_mut() {
-            *last = first;
+struct Drawn {
+    edges: Vec<Edge>,
+    next: Vec<u32>,
+    index: SegmentIndex,
+}
+
+impl Drawn {
+    fn new(loops: &[(u32, Contour)]) -> Self {
+        let mut edges = Vec::new();
+        let mut next = Vec::new();
+        for (contour, c) in loops {
+            let first = edges.len() as u32;
+            edges.extend(c.segments.iter().map(|&segment| Edge { segment, contour: *contour }));
+            next.extend((first..edges.len() as u32).map(|k| k + 1));
+            if let Some(last) = next.last_mut() {
+                *last = first;
+            }
         }
+        let index = SegmentIndex::new(&edges.iter().map(|e| e.segment).collect::<Vec<_>>());
+        Self { edges, next, index }
     }
-    (edges, next)
+
+    fn contacts(&self, closeness: Closeness) -> Result<contacts::Contacts, RegionError> {
+        contacts::find(&self.edges, &self.next, &self.index, closeness)
+    }
 }
 
 /// The box of the loops' points.

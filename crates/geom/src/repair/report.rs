@@ -105,6 +105,15 @@ pub enum Note {
         /// Where.
         at: Point,
     },
+    /// A loop crossed itself and came back to the same place at once: what lay between was cut off.
+    Curl {
+        /// The loop.
+        contour: u32,
+        /// Where.
+        at: Point,
+        /// How large it was, mm.
+        size: f64,
+    },
     /// Two loops run along one another: the shared piece is no wall, the areas on its two sides join.
     Shared {
         /// One loop.
@@ -146,6 +155,7 @@ impl Note {
             | Self::ZeroArea { at, .. }
             | Self::Duplicate { at, .. }
             | Self::Spike { at, .. }
+            | Self::Curl { at, .. }
             | Self::Shared { at, .. }
             | Self::Overlap { at, .. }
             | Self::Touch { at, .. } => at,
@@ -158,7 +168,8 @@ impl Note {
             Self::ZeroLength { contour, .. }
             | Self::Closed { contour, .. }
             | Self::ZeroArea { contour, .. }
-            | Self::Spike { contour, .. } => (contour, None),
+            | Self::Spike { contour, .. }
+            | Self::Curl { contour, .. } => (contour, None),
             Self::Duplicate { contour, kept, .. } => (contour, Some(kept)),
             Self::Shared { first, second, .. }
             | Self::Overlap { first, second, .. }
@@ -185,6 +196,9 @@ impl fmt::Display for Note {
             }
             Self::Spike { contour, .. } => {
                 write!(f, "contour {} runs back on itself at {at}: the spike was cut off", contour + 1)
+            }
+            Self::Curl { contour, size, .. } => {
+                write!(f, "contour {} crosses itself at {at}: a curl of {size:.3e} mm was cut off", contour + 1)
             }
             Self::Shared { first, second, .. } => {
                 let (first, second) = (first + 1, second + 1);

@@ -211,6 +211,7 @@ fn warning<'a>(note: &Note, source_of: impl Fn(u32) -> &'a Source) -> Warning {
         Note::ZeroArea { .. } => "it encloses no area and is left out".to_owned(),
         Note::Duplicate { .. } => format!("it repeats another contour ({with}) and is left out"),
         Note::Spike { .. } => "it runs back on itself; the spike is cut off".to_owned(),
+        Note::Curl { size, .. } => format!("it crosses itself; a curl of {size:.2e} mm is cut off"),
         Note::Shared { .. } => {
             format!("it shares an edge with another contour ({with}); the areas on both sides are joined")
         }
