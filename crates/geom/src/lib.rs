@@ -9,6 +9,7 @@ pub mod contour;
 pub mod distance;
 pub mod index;
 pub mod intersect;
+pub mod leftover;
 pub mod mesh;
 pub mod nesting;
 pub mod offset;

@@ -140,6 +140,10 @@ pub const FIT_SLACK_SHARE: f64 = 1e-4;
 /// their disks but for slivers thinner than what may stay uncut.
 pub const SPUR_SHARE: f64 = 1e-3;
 
+/// How exactly the deepest place of what a tool leaves is found, as a share of its radius: some thousand times the rounding of
+/// distances, and far below anything that a tolerance asks for.
+pub const DEPTH: f64 = 1e-12;
+
 /// Longest step along a clean-up path where clearance need not be convex, as a share of the tool's radius: between its ends
 /// what must be served bows out by less than 1e-4 of the radius, half of what the proof lets pass.
 pub const CLEANUP_STEP: f64 = 1.0 / 32.0;

@@ -35,6 +35,9 @@ use stabbing::EdgeIntervals;
 pub use crossing::{EdgeCurve, upward};
 pub use gate::Gate;
 
+pub(crate) use carrier::Carrier;
+pub(crate) use piece::parallel_piece;
+
 /// A skeleton prepared for offsets at many distances.
 ///
 /// Preparing takes O(n log n) time and O(n) space. Each offset then takes O(log n + k log k) for the k pieces it has, better

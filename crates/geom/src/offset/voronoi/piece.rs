@@ -9,7 +9,7 @@ use std::f64::consts::{PI, TAU};
 ///
 /// An arc that rounding has turned round (its end before its start, so that it would run almost the whole circle) is
 /// replaced by its chord.
-pub(super) fn parallel_piece(shape: SiteShape, d: f64, start: Point, end: Point) -> Segment {
+pub(crate) fn parallel_piece(shape: SiteShape, d: f64, start: Point, end: Point) -> Segment {
     let (arc, limit) = match shape {
         SiteShape::Line(_) => return Segment::line(start, end),
         SiteShape::Point(center) => (Arc { start, end, center, radius: d, ccw: false }, PI.midpoint(TAU)),
