@@ -1,5 +1,6 @@
 //! The pair-wise engine: single offsets and the family of figure 14 (tool radius 10, interval 15) on the die cavities of 3,500
-//! and 4,000 points, against `cavalier_contours` (bare offsets) in the same run; growth from 1e3 to 1e5 points.
+//! and 4,000 points, against `cavalier_contours` (bare offsets) in the same run; growth from 1e3 to 1e5 points, of one shape
+//! sampled ever more finely and of one that has ever more parts.
 //!
 //! `cargo run --release -p pocketry-benches --bin pairwise`. The best of several runs counts.
 
@@ -29,18 +30,35 @@ fn main() -> Result<(), Box<dyn Error>> {
         );
         println!("die-{n}: one offset {one:.2} ms, cavalier_contours {their_one:.2} ms: {:.1} x", their_one / one);
     }
+    growth("die cavity at 5 mm", |n| Ok((corpus::region(&shapes::die_cavity(n))?, 5.0)))?;
+    // As many teeth as it takes: work and output grow alike.
+    growth("comb at a third of its gaps", |n| Ok((corpus::region(&comb(n))?, 1.0)))
+}
+
+/// Times from 1e3 to 1e5 points, and the exponent of their growth.
+fn growth(name: &str, job: impl Fn(usize) -> Result<(Region, f64), Box<dyn Error>>) -> Result<(), Box<dyn Error>> {
     let mut rungs = Vec::new();
     for n in [1_000, 10_000, 100_000] {
-        let region = corpus::region(&shapes::die_cavity(n))?;
-        // The same multiple of the edge length on each.
-        let d = 40.0 * region.segments().map(pocketry_geom::Segment::length).sum::<f64>() / n as f64;
-        let ms = best(5, || PairwiseEngine.with_ranges(black_box(&region), &[d]));
-        println!("die cavity of {n}: {ms:.3} ms, {:.3} µs an edge", 1e3 * ms / n as f64);
+        let (region, d) = job(n)?;
+        let ms = best(9, || PairwiseEngine.with_ranges(black_box(&region), &[d]));
+        println!("{name}, {n} points: {ms:.3} ms, {:.3} µs a point", 1e3 * ms / n as f64);
         rungs.push((n as f64, ms));
     }
     let (first, last) = (rungs[0], rungs[rungs.len() - 1]);
-    println!("growth exponent {:.3}", (last.1 / first.1).ln() / (last.0 / first.0).ln());
+    println!("{name}: growth exponent {:.3}", (last.1 / first.1).ln() / (last.0 / first.0).ln());
     Ok(())
+}
+
+/// A trunk with narrow bays on one side, of n points.
+fn comb(n: usize) -> Loops {
+    let bays = (n / 4) as f64;
+    let mut points = vec![[6.0 * bays, 10.0, 0.0], [0.0, 10.0, 0.0]];
+    for k in 0..n / 4 {
+        let x = 6.0 * k as f64;
+        let depth = 5.0 + (k % 7) as f64;
+        points.extend([[x, 0.0, 0.0], [x, -depth, 0.0], [x + 3.0, -depth, 0.0], [x + 3.0, 0.0, 0.0]]);
+    }
+    vec![points]
 }
 
 /// The corpus's cavity where it is at hand, a generated one elsewhere.

@@ -14,8 +14,11 @@ use std::ops::ControlFlow;
 
 mod boxes;
 mod hilbert;
+mod tree;
 
-use boxes::Oriented;
+pub(crate) use boxes::Oriented;
+pub(crate) use hilbert::order as hilbert_order;
+pub(crate) use tree::BoxTree;
 
 /// Segments in a leaf.
 const LEAF: usize = 4;
@@ -26,8 +29,8 @@ pub struct SegmentIndex {
     origin: Point,
     slack: f64,
     leaves: usize,
-    /// Node `k` has the children `2k` and `2k + 1`; leaf `j` is node `leaves + j`. Coordinates relative to `origin`.
-    nodes: Vec<Oriented>,
+    /// Over leaves of some segments each. Coordinates relative to `origin`.
+    tree: BoxTree,
     order: Vec<u32>,
     segments: Vec<Segment>,
 }
@@ -39,23 +42,19 @@ impl SegmentIndex {
             return Self::default();
         }
         let bbox = segments.iter().fold(BBox::EMPTY, |b, s| b.with(s.start()).with(s.end()));
-        let order = hilbert::order(segments, bbox);
+        let order = hilbert::order(segments.iter().map(|s| s.start().midpoint(s.end())), bbox);
         let leaves = segments.len().div_ceil(LEAF).next_power_of_two();
         let largest = bbox.max.to_vec().length().max(bbox.min.to_vec().length());
         let mut index = Self {
             origin: bbox.center(),
             slack: COORDINATE_ROUNDOFF * (largest + bbox.size()),
             leaves,
-            nodes: vec![Oriented::EMPTY; 2 * leaves],
+            tree: BoxTree::default(),
             segments: order.iter().map(|&k| segments[k as usize]).collect(),
             order,
         };
-        for leaf in 0..leaves {
-            index.nodes[leaves + leaf] = Oriented::around(&index.segments[index.items(leaf)], index.origin);
-        }
-        for node in (1..leaves).rev() {
-            index.nodes[node] = Oriented::merged(&index.nodes[2 * node], &index.nodes[2 * node + 1]);
-        }
+        let leaf = |k| Oriented::around(&index.segments[index.items(k)], index.origin);
+        index.tree = BoxTree::new((0..leaves).map(leaf).collect());
         index
     }
 
@@ -102,7 +101,7 @@ impl SegmentIndex {
             return None;
         }
         let mut best = (usize::MAX, bound);
-        let mut stack = vec![(1, floor(&self.nodes[1]))];
+        let mut stack = vec![(1, floor(self.tree.node(1)))];
         while let Some((node, lower)) = stack.pop() {
             if lower - self.slack >= best.1 {
                 continue;
@@ -116,7 +115,7 @@ impl SegmentIndex {
                 }
                 continue;
             }
-            let children = [2 * node, 2 * node + 1].map(|c| (c, floor(&self.nodes[c])));
+            let children = [2 * node, 2 * node + 1].map(|c| (c, floor(self.tree.node(c))));
             let nearer = usize::from(children[1].1 < children[0].1);
             stack.push(children[1 - nearer]);
             stack.push(children[nearer]);
@@ -141,7 +140,7 @@ impl SegmentIndex {
         }
         let mut stack = vec![1];
         while let Some(node) = stack.pop() {
-            if !self.nodes[node].comes_within(near, margin + self.slack) {
+            if !self.tree.node(node).comes_within(near, margin + self.slack) {
                 continue;
             }
             if node >= self.leaves {
@@ -161,26 +160,15 @@ impl SegmentIndex {
         }
         let margin = margin + self.slack;
         let boxes: Vec<BBox> = self.segments.iter().map(|s| s.bbox().inflated(0.5 * margin)).collect();
-        let mut stack = vec![(1, 1)];
-        while let Some((a, b)) = stack.pop() {
-            if a != b && !self.nodes[a].comes_within(&self.nodes[b], margin) {
-                continue;
-            }
-            if a >= self.leaves {
-                let (of_a, of_b) = (self.items(a - self.leaves), self.items(b - self.leaves));
-                for i in of_a {
-                    let from = if a == b { i + 1 } else { of_b.start };
-                    for j in (from..of_b.end).filter(|&j| boxes[i].intersects(boxes[j])) {
-                        found(self.order[i] as usize, self.order[j] as usize)?;
-                    }
+        self.tree.visit_pairs(margin, |a, b| {
+            for i in self.items(a) {
+                let from = if a == b { i + 1 } else { self.items(b).start };
+                for j in (from..self.items(b).end).filter(|&j| boxes[i].intersects(boxes[j])) {
+                    found(self.order[i] as usize, self.order[j] as usize)?;
                 }
-            } else if a == b {
-                stack.extend([(2 * a, 2 * a), (2 * a + 1, 2 * a + 1), (2 * a, 2 * a + 1)]);
-            } else {
-                stack.extend([(2 * a, 2 * b), (2 * a + 1, 2 * b), (2 * a, 2 * b + 1), (2 * a + 1, 2 * b + 1)]);
             }
-        }
-        ControlFlow::Continue(())
+            ControlFlow::Continue(())
+        })
     }
 
     /// The first crossing of the ray from `p` towards −x with a segment that `admit` lets through.
@@ -190,12 +178,13 @@ impl SegmentIndex {
         let right = p - self.origin;
         while let Some(node) = stack.pop() {
             let left = best.map_or(f64::NEG_INFINITY, |(_, hit)| hit.x - self.origin.x);
-            if !self.nodes[node].meets_row(left, right, self.slack) {
+            if !self.tree.node(node).meets_row(left, right, self.slack) {
                 continue;
             }
             if node < self.leaves {
                 let children = [2 * node, 2 * node + 1];
-                let nearer = usize::from(self.nodes[children[1]].center().x > self.nodes[children[0]].center().x);
+                let nearer =
+                    usize::from(self.tree.node(children[1]).center().x > self.tree.node(children[0]).center().x);
                 stack.extend([children[1 - nearer], children[nearer]]);
                 continue;
             }
@@ -215,7 +204,7 @@ impl SegmentIndex {
         let mut count = 0;
         let mut stack = if self.is_empty() { vec![] } else { vec![1] };
         while let Some(node) = stack.pop() {
-            if !self.nodes[node].meets_row(f64::NEG_INFINITY, p - self.origin, self.slack) {
+            if !self.tree.node(node).meets_row(f64::NEG_INFINITY, p - self.origin, self.slack) {
                 continue;
             }
             if node < self.leaves {

@@ -14,7 +14,7 @@ pub(crate) struct Oriented {
 
 impl Oriented {
     /// Holds nothing.
-    pub(super) const EMPTY: Self = Self {
+    pub(crate) const EMPTY: Self = Self {
         axis: vec2(1.0, 0.0),
         low: vec2(f64::INFINITY, f64::INFINITY),
         high: vec2(f64::NEG_INFINITY, f64::NEG_INFINITY),
@@ -33,6 +33,15 @@ impl Oriented {
     pub(crate) fn around(segments: &[Segment], origin: Point) -> Self {
         let chords = segments.iter().map(|s| s.end() - s.start()).filter(|c| c.length_squared() > 0.0);
         Self::smallest(chords.map(Vec2::normalized), |b| segments.iter().for_each(|s| b.grow(s, origin)))
+    }
+
+    /// The box along an axis (any, if that has no length).
+    pub(crate) fn along(axis: Vec2, segments: &[Segment], origin: Point) -> Self {
+        let mut grown = if axis == Vec2::ZERO { Self::EMPTY } else { Self::empty_along(axis) };
+        for s in segments {
+            grown.grow(s, origin);
+        }
+        grown
     }
 
     /// The tightest of the boxes along x and along either box's axis that hold both.
@@ -61,7 +70,7 @@ impl Oriented {
         (extent.x * extent.y, extent.x + extent.y)
     }
 
-    fn is_empty(&self) -> bool {
+    pub(super) fn is_empty(&self) -> bool {
         self.low.x > self.high.x
     }
 

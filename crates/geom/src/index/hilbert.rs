@@ -1,21 +1,17 @@
-//! The order in which segments follow a Hilbert curve.
+//! The order in which points follow a Hilbert curve.
 
 use crate::bbox::BBox;
 use crate::point::Point;
-use crate::segment::Segment;
 
 /// Bits a coordinate is cut down to.
 const BITS: u32 = 16;
 
-/// The places of `segments`, sorted along a Hilbert curve by the middles of their chords; ties keep their order.
-pub(super) fn order(segments: &[Segment], bbox: BBox) -> Vec<u32> {
+/// The places of some points, sorted along a Hilbert curve; ties keep their order.
+pub(crate) fn order(points: impl Iterator<Item = Point>, bbox: BBox) -> Vec<u32> {
     let side = f64::from(1_u32 << BITS) - 1.0;
     let scale = side / bbox.size().max(f64::MIN_POSITIVE);
-    let key = |s: &Segment| {
-        let middle: Point = s.start().midpoint(s.end());
-        curve_position(((middle.x - bbox.min.x) * scale) as u32, ((middle.y - bbox.min.y) * scale) as u32)
-    };
-    let mut keyed: Vec<u64> = segments.iter().enumerate().map(|(k, s)| u64::from(key(s)) << 32 | k as u64).collect();
+    let key = |p: Point| curve_position(((p.x - bbox.min.x) * scale) as u32, ((p.y - bbox.min.y) * scale) as u32);
+    let mut keyed: Vec<u64> = points.enumerate().map(|(k, p)| u64::from(key(p)) << 32 | k as u64).collect();
     keyed.sort_unstable();
     keyed.into_iter().map(|k| k as u32).collect()
 }

@@ -1,11 +1,10 @@
 //! Step 3: all crossings among raw curves.
 
-use super::local::{BRIDGE, RawPiece};
-use crate::index::SegmentIndex;
+use super::chains::Chains;
+use super::raw::RawCurves;
 use crate::point::{Point, Vec2};
 use crate::predicates::orientation;
 use crate::segment::{Arc, Line, Segment};
-use std::ops::ControlFlow;
 
 /// A crossing of two pieces, by their numbers among all of them.
 #[derive(Clone, Copy, Debug)]
@@ -17,59 +16,24 @@ pub(super) struct Crossing {
     pub(super) above: u32,
 }
 
-/// The pieces of all curves in a row, with the place of each curve among them.
-pub(super) struct Pieces {
-    pub(super) all: Vec<RawPiece>,
-    /// For each curve its first piece; one more at the end.
-    pub(super) bounds: Vec<u32>,
-}
-
-impl Pieces {
-    pub(super) fn new(curves: &[Vec<RawPiece>]) -> Self {
-        let mut bounds = vec![0];
-        bounds.extend(curves.iter().scan(0, |sum, c| {
-            *sum += c.len() as u32;
-            Some(*sum)
-        }));
-        Self { all: curves.iter().flatten().copied().collect(), bounds }
-    }
-
-    /// The curve of a piece.
-    pub(super) fn curve(&self, piece: u32) -> usize {
-        self.bounds.partition_point(|&b| b <= piece) - 1
-    }
-
-    fn are_neighbours(&self, a: u32, b: u32) -> bool {
-        let (a, b) = (a.min(b), a.max(b));
-        if b == a + 1 {
-            return !self.bounds.contains(&b) || self.bounds.len() == 2;
+/// The crossings of all pieces but bridges.
+pub(super) fn crossings(curves: &RawCurves) -> Vec<Crossing> {
+    let mut found = Vec::new();
+    Chains::new(curves).visit_pairs(|i, j| {
+        if !curves.is_bridge(i) && !curves.is_bridge(j) {
+            let (a, b) = (curves.segment(i), curves.segment(j));
+            cross(a, b, |at| {
+                let turn = tangent(a, at).cross(tangent(b, at));
+                let (below, above) = if turn > 0.0 { (i, j) } else { (j, i) };
+                found.push(Crossing { at, below, above });
+            });
         }
-        let curve = self.curve(a);
-        a == self.bounds[curve] && b + 1 == self.bounds[curve + 1]
-    }
-
-    pub(super) fn crossings(&self) -> Vec<Crossing> {
-        let segments: Vec<Segment> = self.all.iter().map(|p| p.segment).collect();
-        let mut found = Vec::new();
-        let _: ControlFlow<()> = SegmentIndex::new(&segments).visit_pairs(0.0, |i, j| {
-            let (i, j) = (i as u32, j as u32);
-            let (a, b) = (&segments[i as usize], &segments[j as usize]);
-            let real = |k: u32| self.all[k as usize].element != BRIDGE;
-            if real(i) && real(j) && !self.are_neighbours(i, j) {
-                cross(a, b, |at| {
-                    let turn = tangent(a, at).cross(tangent(b, at));
-                    let (below, above) = if turn > 0.0 { (i, j) } else { (j, i) };
-                    found.push(Crossing { at, below, above });
-                });
-            }
-            ControlFlow::Continue(())
-        });
-        found
-    }
+    });
+    found
 }
 
 /// Unit direction of travel at a point of a segment.
-pub(super) fn tangent(s: &Segment, at: Point) -> Vec2 {
+fn tangent(s: &Segment, at: Point) -> Vec2 {
     match s {
         Segment::Line(l) => l.direction(),
         Segment::Arc(a) => a.tangent_at(at),

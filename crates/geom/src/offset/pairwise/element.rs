@@ -71,21 +71,18 @@ impl Element {
     }
 }
 
-/// The elements of a contour of lines; numbers go on from `first`.
-pub(super) fn of_contour(contour: &Contour, first: &mut u32) -> Vec<Element> {
-    let lines: Vec<(Point, Point, Vec2)> = contour
-        .segments
-        .iter()
-        .map(|s| (s.start(), s.end(), (s.end() - s.start()).normalized().left()))
-        .filter(|l| l.2.length_squared() > 0.0)
-        .collect();
-    let mut elements = Vec::with_capacity(lines.len() + lines.len() / 2);
+/// Adds the elements of a contour of lines.
+pub(super) fn add_contour(contour: &Contour, elements: &mut Vec<Element>) {
+    let normal = |s: &Segment| (s.end() - s.start()).normalized().left();
+    let mut lines = contour.segments.iter().map(|s| (s, normal(s))).filter(|(_, n)| *n != Vec2::ZERO).peekable();
+    let Some(&(_, first)) = lines.peek() else { return };
     let mut push = |start, end, n0, n1, joint| {
-        elements.push(Element { start, end, n0, n1, number: *first, joint });
-        *first += 1;
+        let number = elements.len() as u32;
+        elements.push(Element { start, end, n0, n1, number, joint });
     };
-    for (k, &(start, end, n)) in lines.iter().enumerate() {
-        let after = lines[(k + 1) % lines.len()].2;
+    while let Some((line, n)) = lines.next() {
+        let (start, end) = (line.start(), line.end());
+        let after = lines.peek().map_or(first, |next| next.1);
         let turn = n.cross(after);
         // A spike that turns back on itself is an end of the wall: its vertex is reflex.
         let reflex = turn < -SMOOTH_TURN || (turn <= SMOOTH_TURN && n.dot(after) < 0.0);
@@ -96,5 +93,4 @@ pub(super) fn of_contour(contour: &Contour, first: &mut u32) -> Vec<Element> {
             push(end, end, n, after, Joint::Reflex);
         }
     }
-    elements
 }

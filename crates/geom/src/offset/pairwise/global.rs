@@ -4,18 +4,19 @@
 //! it. At a crossing the curve from which the other turns left goes below; a valid run that ends there must be one that
 //! does, and go on along the other. Where that fails, the crossings are wrong.
 
-use super::crossings::{Crossing, Pieces};
-use super::local::{BRIDGE, RawPiece};
-use super::{Interference, PairwiseOffset};
+use super::crossings::{Crossing, crossings};
+use super::local::LocalRange;
+use super::raw::{RawCurves, part};
+use super::{Interference, PairwiseOffset, Source};
 use crate::contour::Contour;
-use crate::distance::Boundary;
 use crate::offset::{Offset, OffsetLoop};
 use crate::point::Point;
 use crate::segment::Segment;
 use crate::skeleton::NONE;
 use crate::tolerance::OFFSET_DROP;
 use crate::tolerance::pairwise::CLEARANCE;
-use std::collections::HashSet;
+use std::iter::Chain;
+use std::ops::Range;
 
 /// Short runs that follow one another.
 const SETTLINGS: usize = 3;
@@ -30,44 +31,34 @@ struct Event {
     below: bool,
 }
 
-/// The valid loops of raw curves.
+/// The valid loops of raw curves, with the ranges that collapsed to vertices of theirs.
 pub(super) fn loops(
-    curves: &[Vec<RawPiece>],
+    curves: &RawCurves,
     d: f64,
-    walls: &Boundary,
-    size: f64,
-    mut interferences: Vec<Interference>,
+    source: &Source<'_>,
+    ranges: &[LocalRange],
 ) -> Result<PairwiseOffset, String> {
-    let pieces = Pieces::new(curves);
-    let crossings = pieces.crossings();
-    let events = events(&pieces, &crossings);
-    let judge =
-        Judge { pieces: &pieces, crossings: &crossings, events: &events, d, walls, tolerance: CLEARANCE * size };
+    let crossings = crossings(curves);
+    let events = events(curves, &crossings);
+    let judge = Judge { curves, crossings: &crossings, events: &events, d, source, tolerance: CLEARANCE * source.size };
     let runs = judge.runs();
-    let mut traced: Vec<Vec<(Segment, u32)>> = Vec::new();
-    for closed in &runs.whole {
-        traced.push(pieces.all[closed.clone()].iter().map(|p| (p.segment, p.element)).collect());
-    }
-    traced.extend(judge.trace(&runs.valid)?);
-    for (e, _) in events.iter().zip(&runs.valid).filter(|&(e, &valid)| !e.below && valid) {
-        let c = &crossings[e.crossing as usize];
-        let foot = |piece: u32| pieces.all[piece as usize].source.foot(c.at);
-        interferences.push(Interference { local: false, degenerate: c.at, from: foot(c.below), to: foot(c.above) });
-    }
-    // A range is one of this offset only if a loop has the vertex that it collapsed to.
-    let bits = |p: Point| (p.x.to_bits(), p.y.to_bits());
-    let kept: HashSet<_> = traced.iter().flatten().map(|(s, _)| bits(s.end())).collect();
-    interferences.retain(|i| kept.contains(&bits(i.degenerate)));
-    let loops = traced.into_iter().filter_map(|t| assemble(t, OFFSET_DROP * size)).collect();
+    let drop = OFFSET_DROP * source.size;
+    let whole = runs.whole.iter().map(|pieces| {
+        let pieces = pieces.clone().map(|k| (*curves.segment(k), curves.elements[k as usize]));
+        assemble(pieces, drop)
+    });
+    let mut loops: Vec<OffsetLoop> = whole.flatten().collect();
+    judge.trace(&runs.valid, drop, &mut loops)?;
+    let interferences = judge.interferences(&runs, ranges);
     Ok(PairwiseOffset { offset: Offset { distance: d, loops, degenerate: Vec::new() }, interferences })
 }
 
 /// The events in order of travel, curve by curve.
-fn events(pieces: &Pieces, crossings: &[Crossing]) -> Vec<Event> {
+fn events(curves: &RawCurves, crossings: &[Crossing]) -> Vec<Event> {
     let mut events = Vec::with_capacity(2 * crossings.len());
     for (k, c) in crossings.iter().enumerate() {
         for (piece, below) in [(c.below, true), (c.above, false)] {
-            let along = pieces.all[piece as usize].segment.start().distance_squared(c.at);
+            let along = curves.segment(piece).start().distance_squared(c.at);
             events.push(Event { piece, along, crossing: k as u32, below });
         }
     }
@@ -76,18 +67,18 @@ fn events(pieces: &Pieces, crossings: &[Crossing]) -> Vec<Event> {
 }
 
 struct Judge<'a> {
-    pieces: &'a Pieces,
+    curves: &'a RawCurves,
     crossings: &'a [Crossing],
     events: &'a [Event],
     d: f64,
-    walls: &'a Boundary,
+    source: &'a Source<'a>,
     tolerance: f64,
 }
 
 /// What of the raw curves is valid.
 struct Runs {
     /// Curves that cross nothing, as ranges of pieces.
-    whole: Vec<std::ops::Range<usize>>,
+    whole: Vec<Range<u32>>,
     /// For each event whether the run after it is.
     valid: Vec<bool>,
 }
@@ -97,32 +88,37 @@ impl Judge<'_> {
         let (mut whole, mut verdicts) = (Vec::new(), Vec::with_capacity(self.events.len()));
         // For each crossing the event before that of the curve which goes below.
         let mut before = vec![0; self.crossings.len()];
-        for bounds in self.pieces.bounds.windows(2) {
-            let first = self.events.partition_point(|e| e.piece < bounds[0]);
-            let last = self.events.partition_point(|e| e.piece < bounds[1]);
-            let range = bounds[0] as usize..bounds[1] as usize;
-            if first == last && self.is_whole(range.clone()) {
-                whole.push(range);
+        for curve in self.curves.curves() {
+            let of_curve = self.events_of(&curve);
+            if of_curve.is_empty() && self.is_whole(&curve) {
+                whole.push(curve);
             }
-            verdicts.extend(self.verdicts(first..last));
-            for k in (first..last).filter(|&k| self.events[k].below) {
-                before[self.events[k].crossing as usize] = if k == first { last - 1 } else { k - 1 };
+            for k in of_curve.clone() {
+                let next = if k + 1 == of_curve.end { of_curve.start } else { k + 1 };
+                verdicts.push(self.verdict(k, next));
+                if self.events[k].below {
+                    let last = if k == of_curve.start { of_curve.end } else { k } - 1;
+                    before[self.events[k].crossing as usize] = last;
+                }
             }
         }
         Runs { whole, valid: self.settle(&verdicts, &before) }
     }
 
-    /// What the boundary says of the runs of one curve.
-    fn verdicts(&self, range: std::ops::Range<usize>) -> impl Iterator<Item = Option<bool>> + '_ {
-        range.clone().map(move |k| {
-            let next = if k + 1 == range.end { range.start } else { k + 1 };
-            let run = self.run(k, next);
-            if run.iter().any(|r| r.1 == BRIDGE) {
-                return Some(false);
-            }
-            let longest = run.iter().max_by(|a, b| a.0.length().total_cmp(&b.0.length()))?;
-            if longest.0.length() <= self.tolerance { None } else { self.is_valid(longest.0.at(0.5)) }
-        })
+    /// The events on a curve.
+    fn events_of(&self, curve: &Range<u32>) -> Range<usize> {
+        let first = |piece| self.events.partition_point(|e| e.piece < piece);
+        first(curve.start)..first(curve.end)
+    }
+
+    /// What the boundary says of the run between two successive events of a curve; `None` where that is too short to ask.
+    fn verdict(&self, from: usize, to: usize) -> Option<bool> {
+        if self.pieces_between(from, to).any(|k| self.curves.is_bridge(k)) {
+            return Some(false);
+        }
+        let length = |s: &Segment| s.start().distance_squared(s.end());
+        let longest = self.run(from, to).map(|r| r.0).max_by(|a, b| length(a).total_cmp(&length(b)))?;
+        if length(&longest) <= self.tolerance * self.tolerance { None } else { self.is_valid(longest.at(0.5)) }
     }
 
     /// Runs that are too short to be asked about follow from the one that leads to their crossing.
@@ -139,71 +135,69 @@ impl Judge<'_> {
 
     /// Whether a point is clear of the boundary; `None` where that is too close to tell.
     fn is_valid(&self, p: Point) -> Option<bool> {
-        let clearance = self.walls.distance(p);
+        let clearance = self.source.walls.signed_distance(p);
         if clearance < self.d - self.tolerance {
             Some(false)
         } else {
-            Some(self.walls.contains(p)).filter(|_| clearance >= self.d - 0.5 * self.tolerance)
+            Some(true).filter(|_| clearance >= self.d - 0.5 * self.tolerance)
         }
     }
 
     /// Whether a curve that crosses nothing is valid: all of it is, or nothing.
-    fn is_whole(&self, range: std::ops::Range<usize>) -> bool {
-        let pieces = &self.pieces.all[range];
-        let longest = pieces.iter().max_by(|a, b| a.segment.length().total_cmp(&b.segment.length()));
-        let bridged = pieces.iter().any(|p| p.element == BRIDGE);
-        !bridged && longest.is_some_and(|p| self.is_valid(p.segment.at(0.5)) == Some(true))
+    fn is_whole(&self, curve: &Range<u32>) -> bool {
+        let bridged = curve.clone().any(|k| self.curves.is_bridge(k));
+        let longest = self.curves.longest(curve.clone());
+        !bridged && longest.is_some_and(|s| self.is_valid(s.at(0.5)) == Some(true))
     }
 
-    /// The pieces of the run between two successive events of a curve, with their elements.
-    fn run(&self, from: usize, to: usize) -> Vec<(Segment, u32)> {
-        let (a, b) = (&self.events[from], &self.events[to]);
-        let [p, q] = [a, b].map(|e| self.crossings[e.crossing as usize].at);
-        let of = |k: u32| &self.pieces.all[k as usize];
-        if a.piece == b.piece && from < to {
-            let s = of(a.piece).segment.split_at(p).1.split_at(q).0;
-            return vec![(s, of(a.piece).element)];
+    /// The pieces of the run between two successive events of a curve.
+    fn pieces_between(&self, from: usize, to: usize) -> Chain<Range<u32>, Range<u32>> {
+        let (first, last) = (self.events[from].piece, self.events[to].piece);
+        let after = last + 1;
+        if first < last || (first == last && from < to) {
+            return (first..after).chain(0..0);
         }
-        let mut run = vec![(of(a.piece).segment.split_at(p).1, of(a.piece).element)];
-        let curve = self.pieces.curve(a.piece);
-        let (first, last) = (self.pieces.bounds[curve], self.pieces.bounds[curve + 1]);
-        let mut k = a.piece;
-        loop {
-            k = if k + 1 == last { first } else { k + 1 };
-            if k == b.piece {
-                run.push((of(k).segment.split_at(q).0, of(k).element));
-                return run;
-            }
-            run.push((of(k).segment, of(k).element));
-        }
+        let curve = self.curves.curve_of(first);
+        (first..curve.end).chain(curve.start..after)
+    }
+
+    /// The same, cut at the events, with their elements.
+    fn run(&self, from: usize, to: usize) -> impl Iterator<Item = (Segment, u32)> + '_ {
+        let [p, q] = [from, to].map(|e| self.crossings[self.events[e].crossing as usize].at);
+        let pieces = self.pieces_between(from, to);
+        let count = pieces.clone().count();
+        pieces.enumerate().map(move |(i, k)| {
+            let (cut_start, cut_end) = (Some(p).filter(|_| i == 0), Some(q).filter(|_| i + 1 == count));
+            (part(self.curves.segment(k), cut_start, cut_end), self.curves.elements[k as usize])
+        })
     }
 
     /// The event after another on its curve.
     fn next(&self, event: usize) -> usize {
-        let curve = self.pieces.curve(self.events[event].piece);
-        let (first, last) = (self.pieces.bounds[curve], self.pieces.bounds[curve + 1]);
+        let curve = self.curves.curve_of(self.events[event].piece);
         match self.events.get(event + 1) {
-            Some(e) if e.piece < last => event + 1,
-            _ => self.events.partition_point(|e| e.piece < first),
+            Some(e) if e.piece < curve.end => event + 1,
+            _ => self.events_of(&curve).start,
         }
     }
 
     /// Step 5: valid runs joined to loops.
-    fn trace(&self, valid: &[bool]) -> Result<Vec<Vec<(Segment, u32)>>, String> {
+    fn trace(&self, valid: &[bool], drop: f64, loops: &mut Vec<OffsetLoop>) -> Result<(), String> {
         let mut up = vec![usize::MAX; self.crossings.len()];
         for (k, e) in self.events.iter().enumerate().filter(|(_, e)| !e.below) {
             up[e.crossing as usize] = k;
         }
         let mut visited = vec![false; self.events.len()];
-        let mut loops = Vec::new();
+        let mut runs = Vec::new();
         for start in 0..self.events.len() {
             if !valid[start] || visited[start] {
                 continue;
             }
-            let (mut traced, mut at) = (Vec::new(), start);
+            let mut at = start;
+            runs.clear();
             while !std::mem::replace(&mut visited[at], true) {
                 let end = self.next(at);
-                traced.extend(self.run(at, end));
+                runs.push((at, end));
                 let turn = up[self.events[end].crossing as usize];
                 if !self.events[end].below || !valid[turn] {
                     return Err("a valid run leads nowhere".to_owned());
@@ -213,29 +207,61 @@ impl Judge<'_> {
             if at != start {
                 return Err("a loop does not come back".to_owned());
             }
-            loops.push(traced);
+            loops.extend(assemble(runs.iter().flat_map(|&(a, b)| self.run(a, b)), drop));
         }
-        Ok(loops)
+        Ok(())
+    }
+
+    /// The ranges that collapsed to vertices of valid runs.
+    fn interferences(&self, runs: &Runs, ranges: &[LocalRange]) -> Vec<Interference> {
+        let elements = &self.source.elements;
+        let interference = |local: bool, degenerate: Point, between: [u32; 2]| {
+            let [from, to] = between.map(|e| elements[e as usize].foot(degenerate));
+            Interference { local, degenerate, from, to, elements: between }
+        };
+        let local = ranges.iter().filter(|r| self.is_valid_after(runs, r.piece));
+        let local = local.map(|r| interference(true, self.curves.segment(r.piece).end(), r.elements));
+        let valid = self.events.iter().zip(&runs.valid).filter(|&(e, &valid)| !e.below && valid);
+        let global = valid.map(|(e, _)| {
+            let c = &self.crossings[e.crossing as usize];
+            interference(false, c.at, [c.below, c.above].map(|k| self.curves.elements[k as usize]))
+        });
+        local.chain(global).collect()
+    }
+
+    /// Whether the end of a piece is on a valid run.
+    fn is_valid_after(&self, runs: &Runs, piece: u32) -> bool {
+        let after = self.events.partition_point(|e| e.piece <= piece);
+        let curve = || self.curves.curve_of(piece);
+        if let Some(last) = after.checked_sub(1).filter(|&k| self.events[k].piece >= curve().start) {
+            return runs.valid[last];
+        }
+        let of_curve = self.events_of(&curve());
+        if of_curve.is_empty() {
+            runs.whole.binary_search_by(|w| w.start.cmp(&curve().start)).is_ok()
+        } else {
+            runs.valid[of_curve.end - 1]
+        }
     }
 }
 
-/// A loop of pieces; those shorter than `drop` go. None without extent.
-fn assemble(traced: Vec<(Segment, u32)>, drop: f64) -> Option<OffsetLoop> {
-    let mut kept: Vec<(Segment, u32)> = Vec::with_capacity(traced.len());
-    for (segment, element) in traced {
-        match kept.last() {
-            Some(last) if segment.end().distance(last.0.end()) <= drop => {}
-            Some(last) => kept.push((with_start(segment, last.0.end()), element)),
-            None if segment.start().distance(segment.end()) <= drop => {}
-            None => kept.push((segment, element)),
+/// A loop of pieces with their elements; those shorter than `drop` go. None without extent.
+fn assemble(pieces: impl Iterator<Item = (Segment, u32)>, drop: f64) -> Option<OffsetLoop> {
+    let room = pieces.size_hint().0;
+    let (mut segments, mut sites): (Vec<Segment>, Vec<u32>) = (Vec::with_capacity(room), Vec::with_capacity(room));
+    for (segment, element) in pieces {
+        let begun = segments.last().map_or(segment.start(), Segment::end);
+        if segment.end().distance_squared(begun) > drop * drop {
+            segments.push(with_start(segment, begun));
+            sites.push(element);
         }
     }
-    let end = kept.last()?.0.end();
-    kept[0].0 = with_start(kept[0].0, end);
-    (kept.len() > 1).then(|| OffsetLoop {
-        crossings: vec![NONE; kept.len()],
-        sites: kept.iter().map(|k| k.1).collect(),
-        contour: Contour::new(kept.into_iter().map(|k| k.0).collect()),
+    let end = segments.last()?.end();
+    segments[0] = with_start(segments[0], end);
+    (segments.len() > 1).then(|| OffsetLoop {
+        crossings: vec![NONE; segments.len()],
+        sites,
+        contour: Contour::new(segments),
     })
 }
 

@@ -9,35 +9,31 @@
 //!
 //! Every test closes a joint or takes an element out: O(n).
 
-use super::Interference;
 use super::element::{Element, Joint};
+use super::raw::{BRIDGE, RawCurves};
 use crate::point::{Point, Vec2};
 use crate::segment::Segment;
 use crate::tolerance::COORDINATE_ROUNDOFF;
 use crate::tolerance::pairwise::{SMOOTH_TURN, WITHIN};
 
-/// A piece of a raw curve.
+/// A range that was removed from a raw curve.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct RawPiece {
-    pub(super) segment: Segment,
-    /// Its element's number; [`BRIDGE`] for a bridge.
-    pub(super) element: u32,
-    /// The element itself, or the one before a bridge.
-    pub(super) source: Element,
+pub(super) struct LocalRange {
+    /// The piece at whose end is the vertex that it collapsed to.
+    pub(super) piece: u32,
+    /// The elements before and after it.
+    pub(super) elements: [u32; 2],
 }
 
-/// The number of no element.
-pub(super) const BRIDGE: u32 = u32::MAX;
-
-/// The raw curve of a contour at distance `d`; none if it vanishes.
-pub(super) fn raw_curve(elements: &[Element], d: f64, removed: &mut Vec<Interference>) -> Option<Vec<RawPiece>> {
+/// Adds the raw curve of a contour at distance `d`, unless it vanishes.
+pub(super) fn add_raw_curve(elements: &[Element], d: f64, curves: &mut RawCurves, removed: &mut Vec<LocalRange>) {
     let mut ring = Ring::new(elements, d);
     for k in 0..elements.len() {
-        if ring.alive[k] && !ring.closed[k] {
-            ring.close(k)?;
+        if ring.alive[k] && !ring.closed[k] && ring.close(k).is_none() {
+            return;
         }
     }
-    ring.curve(removed)
+    ring.add_to(curves, removed);
 }
 
 struct Ring<'a> {
@@ -149,28 +145,36 @@ impl<'a> Ring<'a> {
         (on_first && extends(f, self.starts[n], self.ends[n], x, self.slack)).then_some(x)
     }
 
-    fn curve(&self, removed: &mut Vec<Interference>) -> Option<Vec<RawPiece>> {
-        let first = self.alive.iter().position(|&a| a)?;
-        let (mut curve, mut k) = (Vec::with_capacity(self.left), first);
+    fn add_to(&self, curves: &mut RawCurves, removed: &mut Vec<LocalRange>) {
+        let Some(first) = self.alive.iter().position(|&a| a) else { return };
+        let (begun, kept) = (curves.segments.len() as u32, removed.len());
+        let mut k = first;
         loop {
-            let (e, n) = (self.elements[k], self.after[k] as usize);
+            let (e, n) = (&self.elements[k], self.after[k] as usize);
             let (start, end, next) = (self.starts[k], self.ends[k], self.starts[n]);
             if start != end {
-                curve.push(RawPiece { segment: e.piece(self.d, start, end), element: e.number, source: e });
+                curves.push(e.piece(self.d, start, end), e.number);
             }
             if end != next {
-                curve.push(RawPiece { segment: Segment::line(end, next), element: BRIDGE, source: e });
+                curves.push(Segment::line(end, next), BRIDGE);
             }
             if self.met[k] {
-                let to = self.elements[n].foot(end);
-                removed.push(Interference { local: true, degenerate: end, from: e.foot(end), to });
+                // Before the first piece of a closed curve comes its last.
+                let piece = (curves.segments.len() as u32).checked_sub(1).filter(|&p| p >= begun);
+                let elements = [e.number, self.elements[n].number];
+                removed.push(LocalRange { piece: piece.unwrap_or(u32::MAX), elements });
             }
             k = n;
             if k == first {
                 break;
             }
         }
-        (curve.len() > 1).then_some(curve)
+        if curves.close() {
+            let last = curves.segments.len() as u32 - 1;
+            removed[kept..].iter_mut().for_each(|r| r.piece = r.piece.min(last));
+        } else {
+            removed.truncate(kept);
+        }
     }
 }
 

@@ -22,21 +22,26 @@
 //! here the offset elements themselves are trimmed, which is the same. Its global test goes from
 //! an intersection element by element until the interference ends; here the next intersection ends it.
 
+mod chains;
 mod crossings;
 mod element;
 mod global;
 mod local;
+mod raw;
 #[cfg(test)]
 mod tests;
+mod walls;
 
 use super::{Degenerate, Offset, OffsetEngine, OffsetError, OffsetOptions, check_distance, degenerate_slack};
 use crate::contour::Contour;
-use crate::distance::Boundary;
 use crate::point::Point;
 use crate::region::Region;
 use crate::segment::Segment;
+use crate::skeleton::SiteId;
 use crate::tolerance::pairwise::{ATTEMPTS, PERTURBATION};
 use element::Element;
+use raw::RawCurves;
+use walls::Walls;
 
 /// An interfering range that was removed: the boundary from one foot to another, collapsed to one vertex of an offset loop.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,6 +54,8 @@ pub struct Interference {
     pub from: Point,
     /// The boundary point where it goes on.
     pub to: Point,
+    /// The elements, numbered like the sites of offset loops, on which these two points lie.
+    pub elements: [SiteId; 2],
 }
 
 /// An offset with the interfering ranges that were removed from it.
@@ -123,18 +130,24 @@ fn halves(s: &Segment) -> [Option<Segment>; 2] {
 }
 
 /// A region of lines, ready to be offset.
-struct Source {
-    /// The elements of each contour.
-    contours: Vec<Vec<Element>>,
-    walls: Boundary,
+struct Source<'a> {
+    /// The elements of all contours, by number.
+    elements: Vec<Element>,
+    /// For each contour its first element; one more at the end.
+    bounds: Vec<u32>,
+    walls: Walls<'a>,
     size: f64,
 }
 
-impl Source {
-    fn new(region: &Region) -> Self {
-        let mut first = 0;
-        let contours = region.contours().iter().map(|c| element::of_contour(c, &mut first)).collect();
-        Self { contours, walls: Boundary::new(region), size: region.bbox().size() }
+impl<'a> Source<'a> {
+    fn new(region: &'a Region) -> Self {
+        let mut elements = Vec::with_capacity(region.edge_count() + region.edge_count() / 2);
+        let mut bounds = vec![0];
+        for contour in region.contours() {
+            element::add_contour(contour, &mut elements);
+            bounds.push(elements.len() as u32);
+        }
+        Self { elements, bounds, walls: Walls::new(region), size: region.bbox().size() }
     }
 
     fn offset(&self, distance: f64) -> Result<PairwiseOffset, OffsetError> {
@@ -155,9 +168,12 @@ impl Source {
     }
 
     fn attempt(&self, d: f64) -> Result<PairwiseOffset, String> {
-        let mut interferences = Vec::new();
-        let curves: Vec<Vec<local::RawPiece>> =
-            self.contours.iter().filter_map(|c| local::raw_curve(c, d, &mut interferences)).collect();
-        global::loops(&curves, d, &self.walls, self.size, interferences)
+        let mut curves = RawCurves::with_capacity(self.elements.len());
+        let mut ranges = Vec::new();
+        for bounds in self.bounds.windows(2) {
+            let contour = &self.elements[bounds[0] as usize..bounds[1] as usize];
+            local::add_raw_curve(contour, d, &mut curves, &mut ranges);
+        }
+        global::loops(&curves, d, self, &ranges)
     }
 }

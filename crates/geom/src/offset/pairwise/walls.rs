@@ -1,0 +1,38 @@
+//! The boundary, asked how far it is.
+
+use crate::distance::Boundary;
+use crate::point::Point;
+use crate::region::Region;
+use std::cell::{Cell, OnceCell};
+
+/// So many questions cost less than an index.
+const UNINDEXED: u32 = 12;
+
+/// A region's boundary; its index is built when it pays.
+#[derive(Clone, Debug)]
+pub(super) struct Walls<'a> {
+    region: &'a Region,
+    asked: Cell<u32>,
+    index: OnceCell<Boundary>,
+}
+
+impl<'a> Walls<'a> {
+    pub(super) fn new(region: &'a Region) -> Self {
+        Self { region, asked: Cell::new(0), index: OnceCell::new() }
+    }
+
+    /// Distance of a point, positive inside the region and negative outside, mm.
+    pub(super) fn signed_distance(&self, p: Point) -> f64 {
+        self.asked.set(self.asked.get() + 1);
+        if self.asked.get() > UNINDEXED {
+            return self.boundary().signed_distance(p);
+        }
+        let distance = self.region.segments().map(|s| s.distance(p)).fold(f64::INFINITY, f64::min);
+        if self.region.contains(p) { distance } else { -distance }
+    }
+
+    /// The boundary with its index.
+    pub(super) fn boundary(&self) -> &Boundary {
+        self.index.get_or_init(|| Boundary::new(self.region))
+    }
+}
