@@ -425,6 +425,10 @@ pub(crate) enum EngineArg {
     /// Exact, over the Voronoi skeleton.
     #[default]
     Voronoi,
+    /// Round offsets by pairs of elements.
+    Pairwise,
+    /// Mitred offsets by bisectors, each of the one before it.
+    Bisector,
 }
 
 /// `pocketry rough`.

@@ -136,6 +136,8 @@ fn job(args: &RoughArgs, mesh: &Mesh) -> Result<(RoughJob, OutputUnit), Failure>
         cell: args.cell.unwrap_or(usual.cell),
         engine: match args.engine {
             EngineArg::Voronoi => Engine::Voronoi,
+            EngineArg::Pairwise => Engine::Pairwise,
+            EngineArg::Bisector => Engine::Bisector,
         },
         ..usual
     };
@@ -154,6 +156,7 @@ fn failure(error: &RoughError) -> Failure {
         RoughError::Plan(_) => (Exit::NotProven, "plan"),
         RoughError::Region { .. } => (Exit::NotProven, "region"),
         RoughError::Skeleton { .. } => (Exit::NotProven, "skeleton"),
+        RoughError::Offset { .. } => (Exit::NotProven, "offset"),
     };
     Failure::new(exit, kind, error)
 }

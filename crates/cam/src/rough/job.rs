@@ -5,6 +5,7 @@ use crate::job::Entry;
 use crate::plan::PlanError;
 use crate::surface::stepover_for;
 use pocketry_geom::mesh::{Corner, Mesh, above};
+use pocketry_geom::offset::OffsetError;
 use pocketry_geom::repair::RegionError;
 use pocketry_geom::skeleton::SkeletonError;
 use pocketry_geom::{BBox, Point};
@@ -51,6 +52,10 @@ pub enum Engine {
     /// Exact, over the Voronoi skeleton.
     #[default]
     Voronoi,
+    /// Round offsets by pairs of elements.
+    Pairwise,
+    /// Mitred offsets by bisectors, each of the one before it.
+    Bisector,
 }
 
 /// A roughing job: everything but the model. Lengths are in mm.
@@ -214,5 +219,13 @@ pub enum RoughError {
         z: f64,
         /// What is wrong.
         error: SkeletonError,
+    },
+    /// A level's loops could not be made.
+    #[error("level z {z} mm: {error}")]
+    Offset {
+        /// Height of the level, mm.
+        z: f64,
+        /// What is wrong.
+        error: OffsetError,
     },
 }

@@ -1,6 +1,8 @@
 //! One level: where the tool's centre may be, and the loops there.
 
-use super::job::{RoughError, RoughJob};
+use super::chain;
+use super::family::family;
+use super::job::{Engine, RoughError, RoughJob};
 use crate::plan::{Group, Link, Plan, PlanError, PlannedLoop, plan_from};
 use crate::surface::{ClSurface, HeightGrid};
 use pocketry_geom::skeleton::Skeleton;
@@ -42,19 +44,40 @@ pub(super) fn plan_level(
     if level.region.contours().is_empty() {
         return Ok(level);
     }
+    if job.engine == Engine::Voronoi {
+        by_skeleton(&mut level, job)?;
+    } else {
+        by_loops(&mut level, job)?;
+    }
+    if level.loops.is_empty() {
+        level.warnings.push(format!("level z {z:.3} mm: what can be reached is narrower than the tolerances"));
+    }
+    Ok(level)
+}
+
+/// Plans a level like a flat pocket.
+fn by_skeleton(level: &mut Level, job: &RoughJob) -> Result<(), RoughError> {
+    let (top, z) = (level.top, level.z);
     let skeleton = Skeleton::build(&level.region).map_err(|error| RoughError::Skeleton { z, error })?;
     match plan_from(&level.region, &skeleton, &job.pocket(top, z), INSET) {
         Ok(Plan { loops, links, groups, .. }) => {
             (level.loops, level.links, level.groups) = (loops, links, groups);
-            Ok(level)
+            Ok(())
         }
         // Parts no wider than the tolerances.
-        Err(PlanError::DoesNotFit { .. }) => {
-            level.warnings.push(format!("level z {z:.3} mm: what can be reached is narrower than the tolerances"));
-            Ok(level)
-        }
+        Err(PlanError::DoesNotFit { .. }) => Ok(()),
         Err(other) => Err(other.into()),
     }
+}
+
+/// Plans a level from nothing but an engine's loops.
+fn by_loops(level: &mut Level, job: &RoughJob) -> Result<(), RoughError> {
+    let (z, radius) = (level.z, job.tool.radius());
+    let stepover = job.stepover.min(radius);
+    let family =
+        family(&level.region, job.engine, INSET, stepover, radius).map_err(|error| RoughError::Offset { z, error })?;
+    chain::order(level, &family, job);
+    Ok(())
 }
 
 /// The parts of a region from which the tool reaches stock: those whose boundary comes near enough, and those that hold all

@@ -8,11 +8,15 @@
 //!    a radius: coverage holds as it is argued there, since any path of the centre crosses the loops just the same.
 //!    Dilating the region by the radius instead, to plan it like a drawing, would close gaps between obstacles that are
 //!    smaller than the tool (a ball passes *over* them), and gouge.
+//!    Other engines than the exact one make the same loops, or mitred ones ([`family`]); their order and ways need no skeleton ([`chain`]).
 //! 5. Levels are cut from the top down, groups of loops without lifting. Where a pocket reaches
 //!    beyond the stock, the tool goes down there and cuts from the outside in; others are entered by helix or ramp ([`moves`]).
 //!
 //! A lower level's region lies within the upper one's, so that above a cut there is only what an upper level has cleared.
 
+mod chain;
+mod family;
+mod forest;
 mod job;
 mod level;
 mod moves;

@@ -4,21 +4,19 @@ use super::job::RoughJob;
 use super::level::Level;
 use crate::plan::{EntryKind, Group, Link, Writer, helix_of, ramp_of};
 use crate::surface::scallop;
-use pocketry_geom::distance::Boundary;
-use pocketry_geom::{Point, Region, Segment};
+use pocketry_geom::{Point, Segment};
 use pocketry_motion::{FeedKind, Move, Point3, Program};
 
 /// Writes all levels, from the top.
 pub(super) fn write(levels: &[Level], job: &RoughJob) -> Program {
     let mut out = Out { job, moves: Vec::new() };
     for level in levels {
-        let walls = Boundary::new(&level.region);
         for pocket in level.groups.chunk_by(|a, b| a.pocket == b.pocket) {
             // The groups of a pocket follow one another.
             let first = level.groups.iter().position(|g| g.pocket == pocket[0].pocket).unwrap_or(0);
             let groups: Vec<Vec<Step<'_>>> = (first..first + pocket.len()).map(|g| steps_of(level, g)).collect();
             if groups.iter().any(|steps| outside(steps, job).is_some()) {
-                out.open_pocket(level, pocket, &groups, &walls);
+                out.open_pocket(level, first, &groups);
             } else {
                 pocket.iter().zip(&groups).for_each(|(group, steps)| out.enter_within(level, group, steps));
             }
@@ -32,8 +30,8 @@ pub(super) fn write(levels: &[Level], job: &RoughJob) -> Program {
 struct Step<'a> {
     way: &'a [Segment],
     path: &'a [Segment],
-    /// Distance from the boundary, mm.
-    distance: f64,
+    /// Number of its distance from the boundary.
+    level: usize,
 }
 
 fn steps_of(level: &Level, group: usize) -> Vec<Step<'_>> {
@@ -43,7 +41,7 @@ fn steps_of(level: &Level, group: usize) -> Vec<Step<'_>> {
         level.links.get(at).filter(|l| l.to == k).map_or(&[], |l| &l.segments)
     };
     let of_group = level.loops.iter().enumerate().filter(|(_, l)| l.group == group);
-    of_group.map(|(k, l)| Step { way: way(k), path: &l.segments, distance: l.distance }).collect()
+    of_group.map(|(k, l)| Step { way: way(k), path: &l.segments, level: l.level }).collect()
 }
 
 /// The outermost loop with a place where the tool stands clear of the stock: its number, and the segment that starts there.
@@ -108,27 +106,27 @@ impl Out<'_> {
 
     /// The groups of a pocket that reaches beyond the stock, from the outside in: each lies within one that comes later in
     /// the planner's order.
-    fn open_pocket(&mut self, level: &Level, groups: &[Group], steps: &[Vec<Step<'_>>], walls: &Boundary) {
-        for (group, steps) in groups.iter().zip(steps).rev() {
+    fn open_pocket(&mut self, level: &Level, first: usize, steps: &[Vec<Step<'_>>]) {
+        for (k, steps) in steps.iter().enumerate().rev() {
+            let group = first + k;
             if let Some((k, at)) = outside(steps, self.job) {
                 self.enter_outside(level.z, steps, k, at);
-            } else if let Some(beside) = self.beside(steps, &level.region, walls) {
+            } else if let Some(beside) = Self::beside(level, group, steps) {
                 self.enter_beside(level.z, steps, beside);
             } else {
-                self.enter_within(level, group, steps);
+                self.enter_within(level, &level.groups[group], steps);
             }
         }
     }
 
-    /// A place of the loop around a group's outermost one, which has been cut already: from the start of that, a stepover
-    /// straight towards the nearest wall, along which clearance falls exactly like length.
-    fn beside(&self, steps: &[Step<'_>], region: &Region, walls: &Boundary) -> Option<Point> {
+    /// The place nearest to the start of a group's outermost loop on the loops around it, which have been cut already: those one
+    /// level farther out in later groups. No wall stands between a loop and the nearest place of the one around it.
+    fn beside(level: &Level, group: usize, steps: &[Step<'_>]) -> Option<Point> {
         let last = steps.last()?;
-        let stepover = self.job.stepover.min(self.job.tool.radius());
         let start = last.path.first()?.start();
-        let near = walls.nearest(start)?;
-        let wall = region.contours()[near.contour as usize].segments[near.segment as usize].nearest(start);
-        (last.distance > stepover).then(|| start + (wall - start).normalized() * stepover)
+        let around = level.loops.iter().filter(|l| l.group > group && l.level + 1 == last.level);
+        let places = around.flat_map(|l| &l.segments).map(|s| s.nearest(start));
+        places.min_by(|a, b| a.distance_squared(start).total_cmp(&b.distance_squared(start)))
     }
 
     /// Down at a place that is cut already, sideways onto the outermost loop, and inwards from it.

@@ -81,6 +81,38 @@ fn a_stepover_above_the_radius_is_clamped_to_it() {
     assert_eq!(wide.program, rough(&mesh, &job, &quiet).unwrap().program);
 }
 
+/// Loops of every engine cover the floor around a boss; ways stay clear of it.
+#[test]
+fn every_engine_leaves_nothing_around_a_boss() {
+    let mut boss = cuboid([0.0, 0.0, -4.0], [60.0, 50.0, -3.0]);
+    boss.extend(cuboid([20.0, 15.0, -3.0], [40.0, 35.0, 0.0]));
+    // A thin wall: long mitres of the boss's corners would reach through it.
+    boss.extend(cuboid([8.0, 5.0, -3.0], [9.0, 45.0, 0.0]));
+    let mesh = Mesh::weld(&boss, 0.0).mesh;
+    for engine in [Engine::Voronoi, Engine::Pairwise, Engine::Bisector] {
+        let job = RoughJob { stepdown: 3.0, engine, ..RoughJob::new(6.0, Cutter::Flat, Block::around(&mesh, 0.0)) };
+        let plan = rough(&mesh, &job, &quiet).unwrap();
+        let level = &plan.levels[0];
+        let steps: Vec<Segment> = plan.program.steps().map(|(from, m)| m.plan_view(from.xy())).collect();
+        let cut: Vec<Segment> = plan
+            .program
+            .steps()
+            .zip(steps)
+            .filter(|((from, m), _)| from.z == level.z && m.to().z == level.z)
+            .map(|s| s.1)
+            .collect();
+        for k in 0..=60 * 50 {
+            let p = point(f64::from(k % 61), f64::from(k / 61));
+            let wanted = level.region.contains(p) && cut.iter().all(|s| s.distance(p) > 3.0);
+            assert!(!wanted, "{engine:?}: {p:?} is uncut");
+        }
+        let walls = pocketry_geom::distance::Boundary::new(&level.region);
+        for s in &cut {
+            assert!(walls.contains(s.start()) && walls.distance_to(s) > 1e-3, "{engine:?}: {s:?} leaves the region");
+        }
+    }
+}
+
 #[test]
 fn jobs_that_make_no_sense_are_refused() {
     let mesh = Mesh::weld(&cuboid([0.0; 3], [10.0; 3]), 0.0).mesh;

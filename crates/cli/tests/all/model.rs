@@ -58,6 +58,23 @@ fn a_model_becomes_a_proven_roughing_program_with_pictures_and_a_report() {
 }
 
 #[test]
+fn every_engine_roughs_a_boss() {
+    let folder = Sandbox::new();
+    folder.write("boss.stl", &boss());
+    for engine in ["voronoi", "pairwise", "bisector"] {
+        let run = pocketry()
+            .args(["rough", &folder.path("boss.stl"), "--tool", "6", "--stepdown", "3", "--engine", engine])
+            .args(["-o", &folder.path("a.ngc"), "--report", &folder.path("a.json")])
+            .output()
+            .unwrap();
+        assert_eq!(run.status.code(), Some(0), "{engine}: {}", stderr(&run));
+        let report: serde_json::Value = serde_json::from_str(&folder.read("a.json")).unwrap();
+        assert_eq!(report["status"], "proven");
+        assert!(report["job"]["engine"].as_str().unwrap().eq_ignore_ascii_case(engine), "{report}");
+    }
+}
+
+#[test]
 fn bad_models_and_bad_jobs_return_2_and_write_nothing() {
     let folder = Sandbox::new();
     folder.write("boss.stl", &boss());
