@@ -9,7 +9,7 @@ use super::carrier::{Carrier, Parallel};
 use crate::point::{Point, Vec2};
 use crate::segment::{Arc, Segment};
 use crate::skeleton::{EdgeId, Skeleton, Vertex};
-use crate::tolerance::{CROSSING, FLAT_EDGE, GRADIENT, SPOKE_RATE};
+use crate::tolerance::{COORDINATE_ROUNDOFF, CROSSING, FLAT_EDGE, GRADIENT, SPOKE_RATE};
 
 /// Halvings of an edge that leave less than rounding.
 const BISECTIONS: usize = 60;
@@ -77,9 +77,8 @@ impl EdgeCurve {
         if d >= self.high.clearance {
             return self.high.point;
         }
-        let guess = self.polished(self.closed_form(d), d);
-        let (error, scale) = (self.error(guess, d), self.scale());
-        if self.within(guess) && error <= CROSSING * scale {
+        let (guess, error) = self.polished(self.closed_form(d), d);
+        if self.within(guess) && error <= CROSSING * self.scale() {
             return guess;
         }
         let sought = self.bisected(d);
@@ -242,20 +241,26 @@ impl EdgeCurve {
         (g - h).right().dot(g + h) > 0.0
     }
 
-    fn polished(&self, mut x: Point, d: f64) -> Point {
+    /// A point near the one at clearance `d` after Newton steps towards it, and its error.
+    fn polished(&self, mut x: Point, d: f64) -> (Point, f64) {
+        let mut off = self.off(x, d);
+        let error = |off: (f64, f64)| off.0.abs().max(off.1.abs());
+        let rounding = COORDINATE_ROUNDOFF * d;
         for _ in 0..POLISH {
-            let (right, left) = (d - self.right.distance(x), d - self.left.distance(x));
-            let step = self.step(x, right, left);
+            if error(off) <= rounding {
+                break;
+            }
+            let step = self.step(x, off.0, off.1);
             if !(step.length_squared() > 0.0 && step.length() <= self.low.point.distance(self.high.point)) {
                 break;
             }
-            let next = x + step;
-            if self.error(next, d) >= self.error(x, d) {
+            let next = self.off(x + step, d);
+            if error(next) >= error(off) {
                 break;
             }
-            x = next;
+            (x, off) = (x + step, next);
         }
-        x
+        (x, error(off))
     }
 
     /// The least displacement that changes the two distances by these amounts. The half sum and half difference of the
@@ -289,8 +294,14 @@ impl EdgeCurve {
         self.right.distance(x).midpoint(self.left.distance(x))
     }
 
+    /// What is missing at a point to a distance of `d` from the right and the left site.
+    fn off(&self, x: Point, d: f64) -> (f64, f64) {
+        (d - self.right.distance(x), d - self.left.distance(x))
+    }
+
     fn error(&self, x: Point, d: f64) -> f64 {
-        (self.right.distance(x) - d).abs().max((self.left.distance(x) - d).abs())
+        let (right, left) = self.off(x, d);
+        right.abs().max(left.abs())
     }
 
     /// Whether `x` is as near to both end vertices as they are to each other.

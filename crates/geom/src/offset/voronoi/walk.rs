@@ -55,15 +55,23 @@ pub(super) fn ranks(skeleton: &Skeleton) -> Vec<u32> {
     ranks
 }
 
+/// Places with what is there, sorted: as single integers, which sort in half the time of pairs.
+fn in_order(places: impl Iterator<Item = (u32, u32)>) -> impl Iterator<Item = (u32, u32)> {
+    let mut keys: Vec<u64> = places.map(|(place, name)| u64::from(place) << 32 | u64::from(name)).collect();
+    keys.sort_unstable();
+    keys.into_iter().map(|key| ((key >> 32) as u32, key as u32))
+}
+
 impl Walk<'_> {
     /// The loops through these half-edges, which are all that go up across the distance, and the open gates; each
     /// with an edge of the part of the region that it lies in.
     pub(super) fn loops(&self, spanning: Vec<EdgeId>) -> Vec<(OffsetLoop, EdgeId)> {
-        let mut starts: Vec<(u32, Start)> = Vec::with_capacity(spanning.len() + self.gates.len());
-        starts.extend(spanning.into_iter().map(|e| (self.edge_place(e), Start::Edge(e))));
-        starts.extend(self.gates.iter().enumerate().map(|(k, g)| (self.gate_place(g), Start::Gate(k as u32))));
-        starts.sort_unstable_by_key(|s| s.0);
-        let points: Vec<Point> = starts.iter().map(|s| self.point(s.1)).collect();
+        let edges = spanning.iter().map(|&e| (self.edge_place(e), e));
+        let gates = self.gates.iter().zip(0..).map(|(g, k)| (self.gate_place(g), k));
+        // Places of edges are even, those of gates odd.
+        let start = |(place, name)| if place % 2 == 0 { Start::Edge(name) } else { Start::Gate(name) };
+        let starts: Vec<Start> = in_order(edges.chain(gates)).map(start).collect();
+        let points: Vec<Point> = starts.iter().map(|&s| self.point(s)).collect();
         let next = self.successors(&starts);
         // Step 4: every piece that is in no loop yet starts one (4a, 4b); the a-list is the list of pieces.
         let mut visited = vec![false; starts.len()];
@@ -75,25 +83,23 @@ impl Walk<'_> {
                 // Steps 4c to 4f.
                 visited[at] = true;
                 let then = next[at] as usize;
-                self.piece(starts[at].1, points[at], starts[then].1, points[then], &mut legs);
+                self.piece(starts[at], points[at], starts[then], points[then], &mut legs);
                 at = then;
             }
             // Step 4g: back at the start.
-            loops.extend(self.assemble(&legs).map(|l| (l, self.edge(starts[first].1))));
+            loops.extend(self.assemble(&legs).map(|l| (l, self.edge(starts[first]))));
             legs.clear();
         }
         loops
     }
 
     /// For each piece the one that starts where it ends: a permutation, so that every loop closes.
-    fn successors(&self, starts: &[(u32, Start)]) -> Vec<u32> {
+    fn successors(&self, starts: &[Start]) -> Vec<u32> {
         let arrival = |start: Start| match start {
             Start::Edge(e) => self.edge_place(Skeleton::twin(e)),
             Start::Gate(g) => self.gate_place(&self.gates[self.gates[g as usize].from as usize]),
         };
-        let mut ends: Vec<(u32, u32)> = starts.iter().zip(0..).map(|(s, k)| (arrival(s.1), k)).collect();
-        ends.sort_unstable();
-        ends.into_iter().map(|e| e.1).collect()
+        in_order(starts.iter().zip(0..).map(|(&s, k)| (arrival(s), k))).map(|(_, k)| k).collect()
     }
 
     fn edge_place(&self, e: EdgeId) -> u32 {
