@@ -97,7 +97,7 @@ impl<'a> VoronoiOffsetter<'a> {
             d: distance,
             drop: OFFSET_DROP * self.size,
         };
-        walk.loops(self.intervals.spanning(distance))
+        walk.loops(&self.intervals.spanning(distance))
     }
 }
 

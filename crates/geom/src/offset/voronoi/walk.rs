@@ -65,7 +65,7 @@ fn in_order(places: impl Iterator<Item = (u32, u32)>) -> impl Iterator<Item = (u
 impl Walk<'_> {
     /// The loops through these half-edges, which are all that go up across the distance, and the open gates; each
     /// with an edge of the part of the region that it lies in.
-    pub(super) fn loops(&self, spanning: Vec<EdgeId>) -> Vec<(OffsetLoop, EdgeId)> {
+    pub(super) fn loops(&self, spanning: &[EdgeId]) -> Vec<(OffsetLoop, EdgeId)> {
         let edges = spanning.iter().map(|&e| (self.edge_place(e), e));
         let gates = self.gates.iter().zip(0..).map(|(g, k)| (self.gate_place(g), k));
         // Places of edges are even, those of gates odd.
