@@ -17,4 +17,4 @@ pub use plan::{
     Cleanup, EntryKind, Group, Link, LinkKind, Plan, PlanError, PlannedLoop, Uncut, Warning, plan, quickest,
 };
 pub use plan::{Strategy, StrategyCost, plan_subpockets, plans, quickest_plans};
-pub use tools::{Neck, Scallop, ToolChooser};
+pub use tools::{Choice, Narrow, Scallop, ToolFit, choose};

@@ -1,28 +1,16 @@
-//! Which tool: what a round tool leaves in corners and necks, computed from the skeleton, and the bottlenecks that it can't
-//! pass (Chou and Cohen, section 4: "this allows us to select a tool with maximum size to satisfy a given tolerance").
+//! Which tool: what a round tool leaves in corners and necks, and so the largest that meets a tolerance (Chou and Cohen,
+//! section 4: "this allows us to select a tool with maximum size to satisfy a given tolerance automatically. This automatic
+//! selection is important when there are narrow passages between regions in a pocket").
 //!
-//! **Scallop.** A tool of radius `r` cuts everything within `r` of where its axis can be: of the points whose clearance is at
-//! least `r`. Its largest scallop is the largest distance of a point of the region from what is cut. Between loops there is none
-//! as long as the stepover is at most the radius; so scallops lie in corners and in necks and bays too narrow for the tool. The
-//! distance grows away from the axis' region, up to the walls: the maximum is sought on the walls and at the vertices of
-//! the skeleton. Along a wall the distance changes no faster than the length, which bounds it on every piece
-//! between two places where it is known; pieces are halved until no bound exceeds what was found by more than the tolerance:
-//! the result is certified, not sampled.
+//! What is left, how deep, and which bottlenecks the tool can't pass, says [`Leftover`], without a tool path. Loops leave
+//! nothing else: up to the tool's radius apart they cover all between them, and farther apart clean-up paths do.
 
 use crate::job::PocketJob;
-use pocketry_geom::index::SegmentIndex;
-use pocketry_geom::offset::voronoi::EdgeCurve;
-use pocketry_geom::offset::{Degenerate, OffsetError, OffsetOptions, VoronoiOffsetter, degenerate_slack};
-use pocketry_geom::skeleton::{EdgeId, SiteShape, Skeleton, VertexId};
-use pocketry_geom::subpockets::{Border, Subpockets};
-use pocketry_geom::tolerance::GOUGE;
-use pocketry_geom::{Arc, Point, Segment};
+use pocketry_geom::Point;
+use pocketry_geom::leftover::{self, Leftover, Reach};
+use pocketry_geom::offset::{OffsetError, degenerate_slack};
+use pocketry_geom::skeleton::Skeleton;
 use serde::Serialize;
-use std::cmp::Ordering;
-use std::collections::BinaryHeap;
-
-/// How exactly scallops are found, mm: a tenth of what a program may gouge.
-const TOLERANCE: f64 = 0.1 * GOUGE;
 
 /// The largest scallop that a tool leaves.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -33,9 +21,9 @@ pub struct Scallop {
     pub at: Point,
 }
 
-/// The narrowest place that a tool can't pass.
+/// A place too narrow for a tool, of several the most telling.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Neck {
+pub struct Narrow {
     /// Its middle.
     pub at: Point,
     /// Width, mm.
@@ -44,159 +32,123 @@ pub struct Neck {
     pub count: usize,
 }
 
-/// A skeleton prepared for questions about tools.
-#[derive(Debug)]
-pub struct ToolChooser<'a> {
-    skeleton: &'a Skeleton,
-    offsetter: VoronoiOffsetter<'a>,
-    subpockets: Subpockets,
+/// What a tool makes of a region.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ToolFit {
+    /// Diameter of the tool, mm.
+    pub diameter: f64,
+    /// Whether it fits anywhere.
+    pub fits: bool,
+    /// Its largest scallop; none where it leaves nothing, or fits nowhere.
+    pub scallop: Option<Scallop>,
+    /// Area that it leaves, mm².
+    pub left: f64,
+    /// The narrowest neck that it can't pass.
+    pub neck: Option<Narrow>,
+    /// Of the pockets in which it fits nowhere, the widest place.
+    pub closed: Option<Narrow>,
 }
 
-impl<'a> ToolChooser<'a> {
-    /// Prepares a skeleton, in O(n log n).
-    pub fn new(skeleton: &'a Skeleton) -> Self {
-        Self { skeleton, offsetter: VoronoiOffsetter::new(skeleton), subpockets: Subpockets::new(skeleton) }
-    }
+/// The answer to a choice among tools.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Choice {
+    /// The largest tool that meets the tolerance: its diameter, mm.
+    Tool(f64),
+    /// None does; what each of them leaves, the smallest first.
+    None(Vec<ToolFit>),
+}
 
-    /// The largest scallop of a tool of this radius, mm, to within a tenth of what a program may gouge; `None` where the
-    /// tool fits nowhere.
+impl ToolFit {
+    /// What a tool of this diameter, mm, makes of the region of a skeleton when it is to leave so much on the walls, mm.
     ///
     /// # Errors
-    /// When the radius is not a positive number.
-    pub fn scallop(&self, radius: f64) -> Result<Option<Scallop>, OffsetError> {
-        let offset = self.offsetter.offset(radius, &OffsetOptions { degenerate: Degenerate::Keep })?;
-        let mut axis: Vec<Segment> = offset.loops.into_iter().flat_map(|l| l.contour.segments).collect();
-        for path in offset.degenerate {
-            axis.push(Segment::line(path.start, path.start));
-            axis.extend(path.tour);
+    /// When the diameter is not a positive number, or the stock to leave not a number from 0 on.
+    pub fn new(skeleton: &Skeleton, diameter: f64, stock_to_leave: f64) -> Result<Self, OffsetError> {
+        let reach = Reach { radius: 0.5 * diameter, stock_to_leave };
+        let found = Leftover::new(skeleton, reach)?;
+        let least = reach.axis() - degenerate_slack(reach.axis());
+        Ok(Self {
+            diameter,
+            fits: skeleton.vertices().iter().any(|v| v.clearance >= least),
+            scallop: found.deepest().map(|d| Scallop { size: d.size, at: d.at }),
+            left: found.area(),
+            neck: narrow(found.necks().copied(), |a, b| a < b),
+            closed: narrow(found.pockets().filter_map(|p| p.widest), |a, b| a > b),
+        })
+    }
+
+    /// Whether it gets into every pocket and leaves scallops of at most this size, mm.
+    pub fn meets(&self, scallop: f64) -> bool {
+        self.fits && self.closed.is_none() && self.scallop.is_none_or(|s| s.size <= scallop)
+    }
+}
+
+/// The place whose width is better than that of all others, and how many there are.
+fn narrow(places: impl Iterator<Item = leftover::Neck>, better: impl Fn(f64, f64) -> bool) -> Option<Narrow> {
+    places.fold(None, |best: Option<Narrow>, place| {
+        let count = best.map_or(0, |b| b.count) + 1;
+        let kept = best.filter(|b| !better(place.width, b.width));
+        Some(kept.map_or(Narrow { at: place.at, width: place.width, count }, |b| Narrow { count, ..b }))
+    })
+}
+
+/// Chooses the largest of these diameters, mm, that meets a tolerance, mm, with the job's stock to leave.
+///
+/// # Errors
+/// As [`ToolFit::new`].
+pub fn choose(skeleton: &Skeleton, diameters: &[f64], scallop: f64, job: &PocketJob) -> Result<Choice, OffsetError> {
+    let mut sorted = diameters.to_vec();
+    sorted.sort_by(|a, b| b.total_cmp(a));
+    sorted.dedup();
+    let mut refused = Vec::new();
+    for diameter in sorted {
+        let fit = ToolFit::new(skeleton, diameter, job.stock_to_leave)?;
+        if fit.meets(scallop) {
+            return Ok(Choice::Tool(diameter));
         }
-        if axis.is_empty() {
-            return Ok(None);
-        }
-        let index = SegmentIndex::new(&axis);
-        let size = |at: Point| {
-            let beyond = index.nearest(at).map_or(0.0, |n| n.1) - radius;
-            // Less is rounding.
-            Scallop { size: if beyond > TOLERANCE { beyond } else { 0.0 }, at }
+        refused.push(fit);
+    }
+    refused.reverse();
+    Ok(Choice::None(refused))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pocketry_geom::repair::{RepairOptions, build};
+    use pocketry_geom::{Contour, point};
+
+    fn skeleton(loops: &[&[[f64; 3]]]) -> Skeleton {
+        let contours = loops.iter().map(|l| Contour::from_vertices(l)).collect();
+        Skeleton::build(&build(contours, &RepairOptions::default()).unwrap().region).unwrap()
+    }
+
+    /// Two squares of 10, the second 4 mm away.
+    const PAIR: [[[f64; 3]; 4]; 2] = [
+        [[0.0, 0.0, 0.0], [10.0, 0.0, 0.0], [10.0, 10.0, 0.0], [0.0, 10.0, 0.0]],
+        [[14.0, 0.0, 0.0], [17.0, 0.0, 0.0], [17.0, 10.0, 0.0], [14.0, 10.0, 0.0]],
+    ];
+
+    #[test]
+    fn a_tool_that_does_not_fit_into_every_pocket_is_not_chosen() {
+        let s = skeleton(&[&PAIR[0], &PAIR[1]]);
+        let fit = ToolFit::new(&s, 4.0, 0.0).unwrap();
+        assert!(fit.fits && !fit.meets(100.0));
+        let closed = fit.closed.unwrap();
+        assert!((closed.width - 3.0).abs() < 1e-9 && closed.count == 1 && (closed.at.x - 15.5).abs() < 1e-9);
+        assert_eq!(choose(&s, &[2.0, 4.0, 3.0], 1.0, &PocketJob::default()), Ok(Choice::Tool(3.0)));
+    }
+
+    #[test]
+    fn where_none_will_do_each_is_accounted_for() {
+        let s = skeleton(&[&PAIR[0]]);
+        let Choice::None(refused) = choose(&s, &[12.0, 2.0, 4.0, 2.0], 0.1, &PocketJob::default()).unwrap() else {
+            panic!("one was chosen")
         };
-        let start = Scallop { size: 0.0, at: axis[0].start() };
-        let low = self.skeleton.vertices().iter().filter(|v| v.clearance < radius).map(|v| size(v.point));
-        let start = low.fold(start, larger);
-        Ok(Some(farthest(&self.unswept(radius), start, size)))
+        assert_eq!(refused.iter().map(|f| f.diameter).collect::<Vec<_>>(), [2.0, 4.0, 12.0]);
+        assert!(refused[0].scallop.unwrap().size > 0.4 && refused[0].neck.is_none());
+        let closed = refused[2].closed.unwrap();
+        assert!(!refused[2].fits && closed.at.distance(point(5.0, 5.0)) < 1e-9);
+        assert!((refused[2].left - 100.0).abs() < 1e-9);
     }
-
-    /// The parts of the walls below edges, or parts of edges, of less clearance: all others are reached.
-    fn unswept(&self, radius: f64) -> Vec<Segment> {
-        let part = |e: EdgeId| {
-            let s = self.skeleton;
-            let (from, to) = (s.origin_clearance(e), s.target_clearance(e));
-            if from.min(to) >= radius {
-                return None;
-            }
-            let curve = EdgeCurve::new(s, e);
-            let place = |v: VertexId, c: f64| {
-                if c > radius { curve.at_clearance(radius) } else { s.vertices()[v as usize].point }
-            };
-            let (a, b) = (place(s.origin(e), from), place(s.target(e), to));
-            let (wall, whole) = match s.sites()[s.site(e) as usize].shape {
-                SiteShape::Line(l) => (Segment::line(l.nearest(a), l.nearest(b)), Segment::Line(l)),
-                SiteShape::Arc(c) => {
-                    (Segment::Arc(Arc { start: c.nearest(a), end: c.nearest(b), ..c }), Segment::Arc(c))
-                }
-                SiteShape::Point(_) => return None,
-            };
-            // Feet run forward along a wall; below a spoke, and where rounding turns them round, there is nothing.
-            (wall.start() != wall.end() && wall.length() <= whole.length()).then_some(wall)
-        };
-        (0..self.skeleton.half_edges().len() as EdgeId).filter_map(part).collect()
-    }
-
-    /// The narrowest place that a tool of this radius can't pass and has a side that it can reach.
-    pub fn neck(&self, radius: f64) -> Option<Neck> {
-        let limit = radius - degenerate_slack(radius);
-        let wide = |k: &u32| self.subpockets.list().get(*k as usize).is_some_and(|s| s.clearance >= limit);
-        let narrow: Vec<&Border> =
-            self.subpockets.borders().iter().filter(|b| b.clearance < limit && b.between.iter().any(wide)).collect();
-        let least = narrow.iter().min_by(|a, b| a.clearance.total_cmp(&b.clearance))?;
-        Some(Neck { at: least.pass, width: 2.0 * least.clearance, count: narrow.len() })
-    }
-
-    /// The largest of these diameters (mm) whose scallop, with the job's stock to leave, is at most `scallop`.
-    ///
-    /// # Errors
-    /// When a diameter is not a positive number.
-    pub fn largest(&self, diameters: &[f64], scallop: f64, job: &PocketJob) -> Result<Option<f64>, OffsetError> {
-        let mut sorted = diameters.to_vec();
-        sorted.sort_by(|a, b| b.total_cmp(a));
-        for diameter in sorted {
-            let radius = 0.5 * diameter + job.stock_to_leave;
-            if self.scallop(radius)?.is_some_and(|s| s.size <= scallop) {
-                return Ok(Some(diameter));
-            }
-        }
-        Ok(None)
-    }
-}
-
-fn larger(a: Scallop, b: Scallop) -> Scallop {
-    if b.size > a.size { b } else { a }
-}
-
-/// A piece of a wall and a bound of the scallop on it.
-struct Piece {
-    bound: f64,
-    length: f64,
-    wall: Segment,
-    /// Parameters of its ends.
-    from: f64,
-    to: f64,
-    /// Scallops there.
-    ends: [f64; 2],
-}
-
-impl Piece {
-    fn new(wall: Segment, length: f64, [from, to]: [f64; 2], ends: [f64; 2]) -> Self {
-        // Rising from both ends at most like length.
-        let bound = 0.5 * (ends[0] + ends[1] + length * (to - from));
-        Self { bound, length, wall, from, to, ends }
-    }
-}
-
-impl PartialEq for Piece {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-
-impl Eq for Piece {}
-
-impl PartialOrd for Piece {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Piece {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.bound.total_cmp(&other.bound)
-    }
-}
-
-/// The largest scallop on these walls: the piece with the highest bound is halved until it promises no more.
-fn farthest(walls: &[Segment], start: Scallop, size: impl Fn(Point) -> Scallop) -> Scallop {
-    let mut best = start;
-    let mut pieces = BinaryHeap::new();
-    for wall in walls {
-        let ends = [size(wall.start()), size(wall.end())];
-        best = ends.into_iter().fold(best, larger);
-        pieces.push(Piece::new(*wall, wall.length(), [0.0, 1.0], ends.map(|s| s.size)));
-    }
-    while let Some(p) = pieces.pop().filter(|p| p.bound > best.size + TOLERANCE) {
-        let middle = p.from.midpoint(p.to);
-        let found = size(p.wall.at(middle));
-        best = larger(best, found);
-        pieces.push(Piece::new(p.wall, p.length, [p.from, middle], [p.ends[0], found.size]));
-        pieces.push(Piece::new(p.wall, p.length, [middle, p.to], [found.size, p.ends[1]]));
-    }
-    best
 }

@@ -5,7 +5,8 @@ use crate::console::{duration, figure};
 use crate::failure::{Exit, Failure};
 use crate::report::{Details, JobReport, NOT_PROVEN, Status};
 use crate::settings::{Settings, Setup};
-use pocketry_cam::{Plan, PlanError, PocketJob, ToolChooser};
+use crate::toolbox;
+use pocketry_cam::{Choice, Plan, PlanError, PocketJob, choose};
 use pocketry_geom::offset::{VoronoiEngine, outward};
 use pocketry_geom::repair::{RepairOptions, build};
 use pocketry_geom::skeleton::Skeleton;
@@ -91,15 +92,12 @@ fn chosen(skeleton: &Skeleton, settings: &Settings) -> Result<Setup, Failure> {
         return Err(Failure::arguments("--tool auto looks at walls; with --boundary cl name the tool"));
     }
     let usual = settings.resolve_for(tools.iter().copied().fold(f64::INFINITY, f64::min), None)?;
-    let chooser = ToolChooser::new(skeleton);
-    let largest =
-        chooser.largest(tools, scallop, &usual.job).map_err(|e| Failure::new(Exit::NotProven, "offset", e))?;
-    let Some(diameter) = largest else {
-        let message =
-            format!("none of the tools leaves scallops of at most {scallop} mm; `info` tells what each leaves");
-        return Err(Failure::new(Exit::BadInput, "no-tool", message));
-    };
-    settings.resolve_for(diameter, None)
+    let choice =
+        choose(skeleton, tools, scallop, &usual.job).map_err(|e| Failure::new(Exit::NotProven, "offset", e))?;
+    match choice {
+        Choice::Tool(diameter) => settings.resolve_for(diameter, None),
+        Choice::None(refused) => Err(toolbox::none(&refused, scallop)),
+    }
 }
 
 /// A plan with its program and the judgement on it.

@@ -189,6 +189,37 @@ fn the_largest_tool_that_leaves_little_is_chosen() {
     let none =
         pocketry().args(["pocket", &input, "--tool", "auto", "--scallop", "0.1", "-o", &program]).output().unwrap();
     assert_eq!(none.status.code(), Some(2));
+    let why = stderr(&none);
+    for said in ["3 mm: leaves 0.621 mm at X", "10 mm: leaves 2.071 mm at X"] {
+        assert!(why.contains(said), "{why}");
+    }
+}
+
+#[test]
+fn a_neck_that_no_tool_passes_is_named_with_its_place_and_width() {
+    let folder = Sandbox::new();
+    folder.write(
+        "a.json",
+        r#"{"id": "a", "units": "mm", "loops": [[[0,0,0], [20,0,0], [20,9,0], [30,9,0], [30,0,0], [50,0,0], [50,20,0], [30,20,0],
+            [30,11,0], [20,11,0], [20,20,0], [0,20,0]]]}"#,
+    );
+    let (input, program) = (folder.path("a.json"), folder.path("a.ngc"));
+    let run = pocketry()
+        .args(["pocket", &input, "--tool", "auto", "--scallop", "1", "--tools", "3,24", "-o", &program])
+        .output()
+        .unwrap();
+    assert_eq!(run.status.code(), Some(2));
+    let why = stderr(&run);
+    for said in ["can't pass the neck at X25.000 Y10.000, 2 mm wide", "24 mm: fits nowhere: the widest place, at X"] {
+        assert!(why.contains(said), "{why}");
+    }
+    let table = pocketry().args(["info", "--json", "--tools", "2,3", &input]).output().unwrap();
+    let info: serde_json::Value = serde_json::from_slice(&table.stdout).unwrap();
+    let (narrow, wide) = (&info["tools"][0], &info["tools"][1]);
+    assert!(narrow["neck"].is_null() && wide["neck"]["width"].as_f64() == Some(2.0));
+    let corners = 8.0 * (1.0 - std::f64::consts::FRAC_PI_4);
+    assert!((narrow["leftover"].as_f64().unwrap() - corners).abs() < 1e-9);
+    assert!((narrow["reachable"].as_f64().unwrap() - (1.0 - corners / 820.0)).abs() < 1e-9);
 }
 
 #[test]
