@@ -67,7 +67,7 @@ impl Sweep<'_> {
         }
         let mut held = false;
         self.tree.near(&Segment::line(p, p), self.shape.reach, |curve| {
-            held = self.shape.depth_along(&reflected(curve, p)) >= needed;
+            held = held || self.shape.depth_along(&reflected(curve, p)) >= needed;
             !held
         });
         held

@@ -43,7 +43,8 @@ pub(crate) fn judge(walls: &Walls, below: &Below, shape: &Shape, budget: &Budget
         bound = (2.0 * bound).min(budget.gouge);
     }
     let outside = suspects.is_empty().then_some(()).and_then(|()| leaves(walls, below, shape));
-    let gouge = last.map(|(first, _)| {
+    // Even where no wall comes near, no more is shown than that.
+    let gouge = last.or((!below.is_empty()).then_some((0, bound))).map(|(first, _)| {
         let (at, depth) = measured(walls, shape, &below[first].1);
         let line = below[first].0.line;
         // What is not shown to stay within the tolerance counts as beyond it.
@@ -100,7 +101,7 @@ impl Sweeper<'_> {
         }
         let mut within = false;
         self.islands.near(curve, self.shape.reach, |island| {
-            within = self.smaller.shape.depth_along(&reflected(curve, island.start())) >= 0.0;
+            within = within || self.smaller.shape.depth_along(&reflected(curve, island.start())) >= 0.0;
             !within
         });
         within
