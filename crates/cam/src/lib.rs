@@ -16,5 +16,5 @@ pub use job::{Entry, PocketJob};
 pub use plan::{
     Cleanup, EntryKind, Group, Link, LinkKind, Plan, PlanError, PlannedLoop, Uncut, Warning, plan, quickest,
 };
-pub use plan::{Strategy, StrategyCost, plan_subpockets, plans, quickest_plans};
+pub use plan::{Strategy, StrategyCost, inscribed_circle, plan_profile, plan_subpockets, plans, quickest_plans};
 pub use tools::{Choice, Narrow, Scallop, ToolFit, choose};

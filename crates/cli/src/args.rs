@@ -1,5 +1,6 @@
 //! What was typed. What it means is [`crate::settings`]'s affair.
 
+use crate::tool_profile::ProfileArg;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use pocketry_io::import::Units;
 use pocketry_motion::Cutter;
@@ -212,6 +213,11 @@ pub(crate) struct PocketArgs {
     /// Diameter of the tool, mm, or `auto`: the largest of --tools that meets --scallop. Region JSON may hold its own radius.
     #[arg(short, long, value_name = "MM|auto")]
     pub(crate) tool: Option<ToolArg>,
+    /// Cross-section of a tool that is not round and does not turn, mm: rect:WxH, rounded:WxHrR, stadium:LxW, ellipse:AxB,
+    /// polygon:SIDESxDIAMETER (across corners), circle:D, file:DRAWING (drawn about X0 Y0); or cone:ANGLE, ball:D at --depth.
+    /// @DEGREES at the end turns it.
+    #[arg(long, value_name = "SHAPE", conflicts_with = "tool")]
+    pub(crate) tool_profile: Option<ProfileArg>,
     /// The program to write [default: the drawing's name with .ngc].
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
@@ -387,6 +393,12 @@ pub(crate) struct VerifyArgs {
     /// Diameter of the tool, mm. Region JSON may hold its own radius.
     #[arg(short, long, value_name = "MM", value_parser = positive)]
     pub(crate) tool: Option<f64>,
+    /// Cross-section of a tool that is not round, as for `pocket`.
+    #[arg(long, value_name = "SHAPE", conflicts_with_all = ["tool", "stock_to_leave"])]
+    pub(crate) tool_profile: Option<ProfileArg>,
+    /// How deep the tool cuts, mm; for tool profiles that depend on it.
+    #[arg(long, value_name = "MM", requires = "tool_profile", value_parser = positive)]
+    pub(crate) depth: Option<f64>,
     /// Material that is to stay on the walls, mm.
     #[arg(long, value_name = "MM", default_value = "0", value_parser = not_negative)]
     pub(crate) stock_to_leave: f64,

@@ -6,7 +6,8 @@ use crate::failure::{Exit, Failure};
 use crate::report::{Details, JobReport, NOT_PROVEN, Status};
 use crate::settings::{Settings, Setup};
 use crate::toolbox;
-use pocketry_cam::{Choice, Plan, PlanError, PocketJob, choose};
+use pocketry_cam::{Choice, Plan, PlanError, PocketJob, StrategyCost, choose, plan_profile};
+use pocketry_geom::Region;
 use pocketry_geom::offset::{VoronoiEngine, outward};
 use pocketry_geom::repair::{RepairOptions, build};
 use pocketry_geom::skeleton::Skeleton;
@@ -59,8 +60,7 @@ pub(crate) fn run(drawing: &mut Drawing, settings: &Settings, report: &mut JobRe
         report.set_setup(&setup);
         setup
     };
-    let planner = if setup.any_stepover { pocketry_cam::quickest_plans } else { pocketry_cam::plans };
-    let plans = planner(region, &skeleton, &setup.job, setup.strategy).map_err(|e| plan_failure(&e))?;
+    let plans = planned(region, &skeleton, &setup)?;
     report.strategies = plans.iter().map(|p| p.1).collect();
     // The best one, unless only the other can be proven.
     let mut first: Option<(Attempt, JobReport)> = None;
@@ -83,6 +83,17 @@ pub(crate) fn run(drawing: &mut Drawing, settings: &Settings, report: &mut JobRe
         }
         None => Failure::new(Exit::NotProven, NOT_PROVEN, NOT_WRITTEN),
     })
+}
+
+/// The plans, the best first.
+fn planned(region: &Region, skeleton: &Skeleton, setup: &Setup) -> Result<Vec<(Plan, StrategyCost)>, Failure> {
+    if let Some(section) = &setup.profile {
+        let plan = plan_profile(region, &section.profile, &setup.job).map_err(|e| plan_failure(&e))?;
+        let cost = StrategyCost::of(&plan, &setup.job);
+        return Ok(vec![(plan, cost)]);
+    }
+    let planner = if setup.any_stepover { pocketry_cam::quickest_plans } else { pocketry_cam::plans };
+    planner(region, skeleton, &setup.job, setup.strategy).map_err(|e| plan_failure(&e))
 }
 
 /// The setup for the largest of the tools at hand whose scallops are small enough.
@@ -126,10 +137,10 @@ pub(crate) fn attempt(
 
 pub(crate) fn plan_failure(error: &PlanError) -> Failure {
     let (exit, kind) = match error {
-        PlanError::DoesNotFit { .. } => (Exit::BadInput, "does-not-fit"),
-        PlanError::Job { .. } => (Exit::BadInput, "arguments"),
+        PlanError::DoesNotFit { .. } | PlanError::ProfileDoesNotFit { .. } => (Exit::BadInput, "does-not-fit"),
+        PlanError::Job { .. } | PlanError::Profile { .. } => (Exit::BadInput, "arguments"),
         PlanError::Skeleton { .. } => (Exit::NotProven, "skeleton"),
-        PlanError::Offset(_) => (Exit::NotProven, "offset"),
+        PlanError::Offset(_) | PlanError::ProfileOutline { .. } => (Exit::NotProven, "offset"),
     };
     Failure::new(exit, kind, error)
 }
@@ -137,7 +148,7 @@ pub(crate) fn plan_failure(error: &PlanError) -> Failure {
 pub(crate) fn write(plan: &Plan, figures: &Figures, setup: &Setup, id: &str) -> Result<String, Failure> {
     plan.program.check(&setup.job.stock).map_err(|e| Failure::new(Exit::NotProven, "program", e))?;
     let mut options = PostOptions::for_tool(setup.job.tool, setup.job.feeds, setup.unit);
-    options.header = header(id, &setup.job, plan, figures);
+    options.header = header(id, setup, plan, figures);
     LinuxCnc.write(&plan.program, &options).map_err(|e| post_failure(&e))
 }
 
@@ -159,7 +170,11 @@ pub(crate) fn prove(drawing: &Drawing, setup: &Setup, text: &str) -> Result<pock
     };
     let unreadable =
         |e| Failure::new(Exit::NotProven, NOT_PROVEN, format!("the written program can't be read back: {e}"));
-    pocketry_verify::verify(&drawing.region, text, &options).map_err(unreadable)
+    match &setup.profile {
+        Some(s) => pocketry_verify::verify_profile(&drawing.region, text, s.profile.contour(), &options),
+        None => pocketry_verify::verify(&drawing.region, text, &options),
+    }
+    .map_err(unreadable)
 }
 
 fn summary(message: &str, proof: &pocketry_verify::Report) -> String {
@@ -183,7 +198,12 @@ pub(crate) fn places(proof: &pocketry_verify::Report) -> Vec<String> {
     proof.complaints().into_iter().chain(proof.uncut_spots.iter().map(spot)).collect()
 }
 
-fn header(id: &str, job: &PocketJob, plan: &Plan, figures: &Figures) -> Vec<String> {
+fn header(id: &str, setup: &Setup, plan: &Plan, figures: &Figures) -> Vec<String> {
+    let job: &PocketJob = &setup.job;
+    let tool = match &setup.profile {
+        Some(section) => format!("T{}: does not turn, {}", job.tool.number, section.shape),
+        None => format!("T{}: end mill, diameter {} mm", job.tool.number, figure(job.tool.diameter)),
+    };
     let cut = match job.direction {
         Direction::Climb => "climb",
         Direction::Conventional => "conventional",
@@ -191,7 +211,7 @@ fn header(id: &str, job: &PocketJob, plan: &Plan, figures: &Figures) -> Vec<Stri
     let (top, depth, passes) = (figure(job.stock.top), figure(job.stock.depth), plan.passes);
     vec![
         format!("Pocketry {}: {id}", env!("CARGO_PKG_VERSION")),
-        format!("T{}: end mill, diameter {} mm", job.tool.number, figure(job.tool.diameter)),
+        tool,
         format!("stock top at Z{top} mm, depth {depth} mm in {passes} passes"),
         format!("stepover {} mm, {} mm left on the walls, {cut}", figure(plan.stepover), figure(job.stock_to_leave)),
         format!("{} loops, cut {:.1} mm, rapid {:.1} mm", plan.loops.len(), figures.cut_length, figures.rapid_length),

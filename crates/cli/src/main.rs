@@ -20,6 +20,7 @@ mod skeleton;
 mod slice;
 mod study;
 mod subpockets;
+mod tool_profile;
 mod toolbox;
 mod verify;
 

@@ -23,6 +23,10 @@ pub(crate) fn of_job(name: &str, region: &Region, job: &Proven, with_skeleton: b
     picture.add("entry", Look::Entry, links(|kind| kind == LinkKind::Entry));
     picture.add("entry", Look::Entry, paths(&job.plan.program, |m| m.feed() == Some(FeedKind::Ramp)));
     picture.add("rapid", Look::Rapid, paths(&job.plan.program, |m| m.feed().is_none()));
+    if let (Some(section), Some(group)) = (&job.setup.profile, job.plan.groups.first()) {
+        let tool = section.profile.contour().translated(group.start.to_vec());
+        picture.add("tool at its first entry", Look::Thin, vec![tool.segments]);
+    }
     let uncut = |s: &pocketry_verify::Spot| Spot { at: s.at, radius: s.radius, name: "left uncut".to_owned() };
     picture.spots.extend(job.proof.uncut_spots.iter().map(uncut));
     picture
@@ -31,8 +35,8 @@ pub(crate) fn of_job(name: &str, region: &Region, job: &Proven, with_skeleton: b
 fn notes(job: &Proven) -> Vec<String> {
     let (setup, figures) = (&job.setup.job, &job.figures);
     vec![format!(
-        "tool {} mm, stepover {} mm, depth {} mm in {} passes; {} loops, {:.0} mm of cutting, {} retracts, about {}",
-        figure(setup.tool.diameter),
+        "tool {}, stepover {} mm, depth {} mm in {} passes; {} loops, {:.0} mm of cutting, {} retracts, about {}",
+        job.setup.tool_name(),
         figure(job.plan.stepover),
         figure(setup.stock.depth),
         job.plan.passes,

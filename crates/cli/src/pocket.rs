@@ -7,6 +7,7 @@ use crate::job::{self, Proven};
 use crate::output::{Outputs, distinct, print};
 use crate::report::JobReport;
 use crate::settings::Settings;
+use crate::tool_profile::Section;
 use crate::{drawing, picture};
 use std::path::Path;
 use std::time::Instant;
@@ -22,7 +23,8 @@ pub(crate) fn run(args: &PocketArgs) -> Result<(), Failure> {
     let name =
         drawing.id.clone().unwrap_or_else(|| args.input.file_name().unwrap_or_default().to_string_lossy().into_owned());
     let mut report = JobReport::named(name);
-    let settings = Settings::new(args.tool, args.cut.clone(), args.machine.clone());
+    let profile = args.tool_profile.as_ref().map(|p| p.shape(&args.drawing)).transpose()?;
+    let settings = Settings::new(args.tool, args.cut.clone(), args.machine.clone()).with_profile(profile);
     let result = job::run(&mut drawing, &settings, &mut report);
     console::warnings(&report.warnings);
     let proven = result?;
@@ -52,6 +54,9 @@ fn check_targets(args: &PocketArgs, target: &Path) -> Result<(), Failure> {
 
 fn said(target: &Path, proven: &Proven) -> String {
     let (figures, proof) = (&proven.figures, &proven.proof);
+    if let Some(section) = &proven.setup.profile {
+        return said_of_profile(target, proven, section);
+    }
     let share = if proof.region_area > 0.0 { 100.0 * proof.unreachable_area / proof.region_area } else { 0.0 };
     format!(
         "{}: {} loops, {} mm of cutting, {} retracts, about {}\n\
@@ -64,5 +69,19 @@ fn said(target: &Path, proven: &Proven) -> String {
         figure(proof.gouge_depth()),
         figure(proven.setup.job.tool.diameter),
         figure(proof.unreachable_area),
+    )
+}
+
+fn said_of_profile(target: &Path, proven: &Proven, section: &Section) -> String {
+    format!(
+        "{}: {} loops, {} mm of cutting, {} retracts, about {}\n\
+         proven: no wall is entered by more than {} mm, everything cut that {} can reach\n",
+        target.display(),
+        proven.plan.loops.len(),
+        figure(proven.figures.cut_length),
+        proven.figures.retracts,
+        duration(proven.figures.machine_seconds),
+        figure(proven.proof.gouge_depth()),
+        section.shape,
     )
 }

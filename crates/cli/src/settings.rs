@@ -1,8 +1,11 @@
 //! What was typed becomes what is to be done: defaults, percentages and limits resolved, one [`Setup`] a region.
 
 use crate::args::{Boundary, CutArgs, MachineArgs, Stepover, StrategyArg, ToolArg};
+use crate::console::figure;
 use crate::failure::Failure;
+use crate::tool_profile::Section;
 use pocketry_cam::{PocketJob, Strategy};
+use pocketry_geom::ToolShape;
 use pocketry_io::post::OutputUnit;
 use pocketry_motion::{Direction, Feeds, Heights, Stock, Tool};
 
@@ -12,6 +15,8 @@ pub(crate) struct Settings {
     tool: Option<ToolArg>,
     pub(crate) cut: CutArgs,
     machine: MachineArgs,
+    /// A tool that is not round.
+    profile: Option<ToolShape>,
 }
 
 /// Everything that has to be known to cut one region and to write its program.
@@ -24,15 +29,35 @@ pub(crate) struct Setup {
     pub(crate) boundary: Boundary,
     /// Nobody has asked for a stepover: the quickest is chosen.
     pub(crate) any_stepover: bool,
+    /// The cross-section of a tool that is not round; the job's tool is then the largest circle in it.
+    pub(crate) profile: Option<Section>,
+}
+
+impl Setup {
+    /// The tool as people are told of it.
+    pub(crate) fn tool_name(&self) -> String {
+        match &self.profile {
+            Some(section) => section.shape.to_string(),
+            None => format!("{} mm", figure(self.job.tool.diameter)),
+        }
+    }
 }
 
 impl Settings {
     pub(crate) fn new(tool: Option<ToolArg>, cut: CutArgs, machine: MachineArgs) -> Self {
-        Self { tool, cut, machine }
+        Self { tool, cut, machine, profile: None }
+    }
+
+    /// The same for a tool that is not round.
+    pub(crate) fn with_profile(self, profile: Option<ToolShape>) -> Self {
+        Self { profile, ..self }
     }
 
     /// The setup for a region; the file's own tool radius and interval (mm) stand where none were typed.
     pub(crate) fn resolve(&self, file_radius: Option<f64>, file_interval: Option<f64>) -> Result<Setup, Failure> {
+        if let Some(shape) = &self.profile {
+            return self.resolve_profile(shape);
+        }
         let typed = match self.tool {
             Some(ToolArg::Diameter(diameter)) => Some(diameter),
             Some(ToolArg::Auto) | None => None,
@@ -45,7 +70,22 @@ impl Settings {
 
     /// The tools to choose from and the largest scallop allowed, where the choice is left to us.
     pub(crate) fn choice(&self) -> Option<(&[f64], f64)> {
-        matches!(self.tool, Some(ToolArg::Auto)).then_some((&self.cut.tools, self.cut.scallop))
+        (matches!(self.tool, Some(ToolArg::Auto)) && self.profile.is_none())
+            .then_some((&self.cut.tools, self.cut.scallop))
+    }
+
+    /// The setup for a tool of this cross-section.
+    fn resolve_profile(&self, shape: &ToolShape) -> Result<Setup, Failure> {
+        if self.cut.boundary == Boundary::Cl {
+            return Err(Failure::arguments("--boundary cl is for round tools; with --tool-profile draw the walls"));
+        }
+        if self.cut.stock_to_leave > 0.0 {
+            let message = "--stock-to-leave is for round tools; with --tool-profile give a profile that much larger";
+            return Err(Failure::arguments(message));
+        }
+        let section = Section::at(shape, self.cut.depth.or(self.cut.stepdown))?;
+        let setup = self.resolve_for(2.0 * section.radius, None)?;
+        Ok(Setup { any_stepover: false, profile: Some(section), ..setup })
     }
 
     /// The setup for a tool of this diameter, mm.
@@ -76,6 +116,7 @@ impl Settings {
             unit: if self.machine.inch { OutputUnit::Inch } else { OutputUnit::Millimetre },
             boundary: self.cut.boundary,
             any_stepover: asked.is_none() && !self.cut.no_cleanup,
+            profile: None,
         })
     }
 

@@ -7,7 +7,8 @@ use crate::failure::{Exit, Failure};
 use crate::job::places;
 use crate::output::{print, write_file};
 use crate::report::NOT_PROVEN;
-use pocketry_verify::VerifyOptions;
+use crate::tool_profile::Section;
+use pocketry_verify::{ProgramError, Report, VerifyOptions, verify_profile};
 use serde::Serialize;
 
 #[derive(Serialize)]
@@ -15,7 +16,7 @@ struct Judgement<'a> {
     proven: bool,
     complaints: Vec<String>,
     #[serde(flatten)]
-    proof: &'a pocketry_verify::Report,
+    proof: &'a Report,
 }
 
 pub(crate) fn run(args: &VerifyArgs) -> Result<(), Failure> {
@@ -23,13 +24,44 @@ pub(crate) fn run(args: &VerifyArgs) -> Result<(), Failure> {
     let bytes = std::fs::read(&args.program).map_err(|e| Failure::read(&args.program, e))?;
     let text = String::from_utf8_lossy(&bytes);
     console::warnings(&drawing.warnings);
+    if let Some(profile) = &args.tool_profile {
+        let section = Section::at(&profile.shape(&args.drawing)?, args.depth)?;
+        let options = VerifyOptions { top: args.top, depth: args.depth, ..VerifyOptions::new(section.radius) };
+        let proof = verify_profile(&drawing.region, &text, section.profile.contour(), &options);
+        let said = |proof: &Report| {
+            let depth = figure(proof.gouge_depth());
+            format!(
+                "proven: no wall is entered by more than {depth} mm, everything cut that {} can reach\n",
+                section.shape
+            )
+        };
+        return told(args, proof, said);
+    }
     let radius = args.tool.map(|d| 0.5 * d).or(drawing.tool_radius);
     let Some(radius) = radius else {
         return Err(Failure::arguments("no tool: give its diameter in mm with --tool"));
     };
     let options = VerifyOptions { stock_to_leave: args.stock_to_leave, top: args.top, ..VerifyOptions::new(radius) };
+    let said = |proof: &Report| {
+        format!(
+            "proven: deepest gouge {} mm, everything cut that a {} mm tool can reach; it can't reach {} mm² of {} mm²\n",
+            figure(proof.gouge_depth()),
+            figure(2.0 * radius),
+            figure(proof.unreachable_area),
+            figure(proof.region_area),
+        )
+    };
+    told(args, pocketry_verify::verify(&drawing.region, &text, &options), said)
+}
+
+/// Says what the proof found, in the report and to people.
+fn told(
+    args: &VerifyArgs,
+    proof: Result<Report, ProgramError>,
+    said: impl Fn(&Report) -> String,
+) -> Result<(), Failure> {
     let unreadable = |e| Failure::new(Exit::BadInput, "program", format!("{}: {e}", args.program.display()));
-    let proof = pocketry_verify::verify(&drawing.region, &text, &options).map_err(unreadable)?;
+    let proof = proof.map_err(unreadable)?;
     if let Some(path) = &args.report {
         let judgement = Judgement { proven: proof.is_proven(), complaints: proof.complaints(), proof: &proof };
         let text = serde_json::to_string_pretty(&judgement).map_err(|e| Failure::write(path, e))?;
@@ -40,11 +72,5 @@ pub(crate) fn run(args: &VerifyArgs) -> Result<(), Failure> {
         let message = format!("{} does not stand up to the drawing", args.program.display());
         return Err(Failure::new(Exit::NotProven, NOT_PROVEN, message).with_details(places(&proof)));
     }
-    print(&format!(
-        "proven: deepest gouge {} mm, everything cut that a {} mm tool can reach; it can't reach {} mm² of {} mm²\n",
-        figure(proof.gouge_depth()),
-        figure(2.0 * radius),
-        figure(proof.unreachable_area),
-        figure(proof.region_area),
-    ))
+    print(&said(&proof))
 }

@@ -244,6 +244,21 @@ pub const ARC_RADII_WRITTEN: f64 = 0.001;
 /// up to three steps (end, centre, radius), which leaves more than half of the budget.
 pub const ROUNDING_SHARE: f64 = 0.15;
 
+/// Tolerances of the places at which a tool profile may be, *relative* unless said otherwise.
+pub mod profile {
+    /// By how much profiles are grown before they erode a region, as a part of them: slots exactly as wide then vanish whatever the
+    /// rounding, and a tool of 10 mm keeps a nanometre from the walls.
+    pub const GROWTH: f64 = 1e-7;
+    /// How deep a wall may come into the profile and still count as touching: a hundredth of the growth.
+    pub const ENTERED: f64 = 1e-9;
+    /// Pieces of the outline that are shorter are left out, and gaps up to ten times that closed.
+    pub const SHORTEST: f64 = 1e-9;
+    /// See [`SHORTEST`].
+    pub const JOINED: f64 = 1e-8;
+    /// Directions nearer than this are the same, radians.
+    pub const PARALLEL: f64 = 1e-9;
+}
+
 /// Tolerances of the bisector engine, *relative* unless said otherwise.
 pub mod bisector {
     /// By how much raw corners are moved where they are degenerate, at first: some thousand times the rounding of

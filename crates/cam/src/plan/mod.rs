@@ -21,6 +21,7 @@ mod cleanup;
 mod levels;
 mod moves;
 mod order;
+mod profile;
 mod quickest;
 mod report;
 mod strategy;
@@ -40,6 +41,7 @@ pub(crate) use moves::{Writer, helix_of, ramp_of};
 pub(crate) use track::{Cut, Landing, Track};
 
 pub use cleanup::{Cleanup, Uncut};
+pub use profile::{inscribed_circle, plan_profile};
 pub use quickest::quickest;
 pub use report::{EntryKind, Group, Link, LinkKind, Plan, PlanError, PlannedLoop, Warning};
 pub use strategy::{Strategy, StrategyCost, plans, quickest_plans};

@@ -26,7 +26,7 @@ pub(super) fn write(levels: &Levels, chains: &[Chain], job: &PocketJob, first: f
         }
     }
     writer.lift(job.heights.clearance);
-    plan.program.moves = writer.moves;
+    plan.program.moves = writer.into_moves();
     plan
 }
 
@@ -118,7 +118,7 @@ pub(crate) struct Writer<'a> {
 }
 
 impl<'a> Writer<'a> {
-    const fn new(job: &'a PocketJob) -> Self {
+    pub(super) const fn new(job: &'a PocketJob) -> Self {
         Self { job, moves: Vec::new() }
     }
 
@@ -126,20 +126,28 @@ impl<'a> Writer<'a> {
         self.moves.last().map(Move::to)
     }
 
-    fn floor(&self, pass: usize, passes: usize) -> f64 {
+    pub(super) fn floor(&self, pass: usize, passes: usize) -> f64 {
         let stock = self.job.stock;
         if pass == passes { stock.top - stock.depth } else { stock.top - stock.depth * pass as f64 / passes as f64 }
     }
 
+    pub(super) fn extend(&mut self, moves: impl IntoIterator<Item = Move>) {
+        self.moves.extend(moves);
+    }
+
+    pub(super) fn into_moves(self) -> Vec<Move> {
+        self.moves
+    }
+
     /// Straight up to a height above the stock.
-    fn lift(&mut self, height: f64) {
+    pub(super) fn lift(&mut self, height: f64) {
         if let Some(at) = self.at() {
             self.moves.push(Move::Rapid { to: Point3 { z: self.job.stock.top + height, ..at } });
         }
     }
 
     /// Through the air to above `p`: at retract height within a pocket, at clearance height to a `fresh` one.
-    fn approach(&mut self, p: Point, fresh: bool) {
+    pub(super) fn approach(&mut self, p: Point, fresh: bool) {
         let heights = self.job.heights;
         let height = if fresh { heights.clearance.max(heights.retract) } else { heights.retract };
         self.lift(height);
@@ -169,7 +177,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    fn plunge(&mut self, p: Point, z: f64) {
+    pub(super) fn plunge(&mut self, p: Point, z: f64) {
         self.moves.push(Move::Line { to: Point3::at(p, z), feed: FeedKind::Plunge });
     }
 
@@ -204,7 +212,8 @@ fn turns(job: &PocketJob, start: Point, center: Point, radius: f64, from: f64, f
     (1..=count as usize).map(turn).collect()
 }
 
-fn rounds(job: &PocketJob, path: &[Segment], from: f64, floor: f64) -> Vec<Move> {
+/// From a height down to a floor along whole rounds of a closed path.
+pub(super) fn rounds(job: &PocketJob, path: &[Segment], from: f64, floor: f64) -> Vec<Move> {
     let length: f64 = path.iter().map(Segment::length).sum();
     let count = ((from - floor) / (length * job.entry.angle.tan())).ceil().max(1.0);
     let mut moves = Vec::new();

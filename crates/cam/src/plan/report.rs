@@ -41,6 +41,33 @@ pub enum PlanError {
     /// The offsets failed.
     #[error(transparent)]
     Offset(#[from] OffsetError),
+    /// The tool's cross-section is no use.
+    #[error("the tool profile can't be used: {reason}")]
+    Profile {
+        /// Why.
+        reason: String,
+    },
+    /// The outline of the places at which the profile may be does not close.
+    #[error(
+        "the places of this tool profile have no clear outline near ({:.4}, {:.4}); look for walls there that run along one another \
+         within a micrometre, or change the profile's size a little",
+        .at.x, .at.y
+    )]
+    ProfileOutline {
+        /// A place of the tool there.
+        at: Point,
+    },
+    /// The tool's cross-section is too large for every part of the region, as it is turned.
+    #[error(
+        "a tool profile of {width:.3} x {height:.3} mm fits nowhere in this pocket as it is turned; take a smaller one or turn it \
+         (@DEGREES)"
+    )]
+    ProfileDoesNotFit {
+        /// Extent along x, mm.
+        width: f64,
+        /// Extent along y, mm.
+        height: f64,
+    },
 }
 
 /// What was done differently from what was asked, or cannot be done.
@@ -50,6 +77,14 @@ pub enum Warning {
     /// tolerance for tool path I, the tool's radius for tool path II.
     #[error("a stepover of {asked} mm would leave ridges between the loops; {used} mm is used")]
     StepoverClamped {
+        /// mm.
+        asked: f64,
+        /// mm.
+        used: f64,
+    },
+    /// The stepover was above the radius of the largest circle in the tool's profile, beyond which material could stay.
+    #[error("stepover {asked} mm may leave material between loops of this profile; {used:.4} mm is used")]
+    ProfileStepoverClamped {
         /// mm.
         asked: f64,
         /// mm.

@@ -37,7 +37,8 @@ pub struct StrategyCost {
 }
 
 impl StrategyCost {
-    fn of(plan: &Plan, job: &PocketJob) -> Self {
+    /// What a plan costs.
+    pub fn of(plan: &Plan, job: &PocketJob) -> Self {
         let figures = plan.program.figures(&job.feeds, &job.stock);
         Self {
             strategy: plan.strategy,

@@ -41,6 +41,7 @@ pub(crate) fn run(args: &StudyArgs) -> Result<(), Failure> {
         unit: OutputUnit::Millimetre,
         boundary: args.boundary,
         any_stepover: false,
+        profile: None,
     };
     job::to_walls(&mut drawing, &setup)?;
     let skeleton = Skeleton::build(&drawing.region).map_err(|e| Failure::new(Exit::NotProven, "skeleton", e))?;

@@ -3,5 +3,6 @@
 mod batch;
 mod command;
 mod model;
+mod profile;
 mod support;
 mod workspace;

@@ -94,19 +94,28 @@ impl<'a> Places<'a> {
     }
 
     /// Curves that hold the outline of the admissible places: where the profile, grown by the distance, touches a wall with
-    /// parallel tangents, or a reflex corner.
+    /// one normal for both, or a reflex corner.
     fn outline_curves(&self) -> Vec<Segment> {
         let grown = self.grown();
         let mut curves = Vec::new();
         for (wall, &next) in self.walls.segments.iter().zip(&self.walls.next) {
-            let turn = wall.end_tangent().angle_to(self.walls.segments[next as usize].start_tangent());
-            let reflex = !(-SMOOTH_JOINT..=PI - CUSP).contains(&turn);
             for edge in &grown {
-                sum::envelopes(wall, edge, &mut curves);
-                if reflex {
-                    curves.push(edge.translated(wall.end().to_vec()));
-                }
+                sum::facing(wall, edge, &mut curves);
             }
+            let (arriving, leaving) = (wall.end_tangent(), self.walls.segments[next as usize].start_tangent());
+            let turn = arriving.angle_to(leaving);
+            if (-SMOOTH_JOINT..=PI - CUSP).contains(&turn) {
+                continue;
+            }
+            let faces = |edge: &&Segment| match edge {
+                // Along the sides of a cusp the normals say nothing.
+                Segment::Line(l) if turn.abs() < PI - CUSP => {
+                    let ahead = leaving.left().angle_to(l.direction().right());
+                    (-CUSP..=CUSP - turn).contains(&ahead)
+                }
+                _ => true,
+            };
+            curves.extend(grown.iter().filter(faces).map(|edge| edge.translated(wall.end().to_vec())));
         }
         curves
     }

@@ -19,6 +19,32 @@ pub(crate) fn envelopes(a: &Segment, b: &Segment, out: &mut Vec<Segment>) {
     }
 }
 
+/// Adds the envelope of a wall, whose region lies to the left, and an edge of a counter-clockwise outline on which the two have one
+/// normal: to the left of the wall, and outwards from the outline.
+pub(crate) fn facing(wall: &Segment, edge: &Segment, out: &mut Vec<Segment>) {
+    match (wall, edge) {
+        (Segment::Line(_), Segment::Line(_)) => {}
+        (Segment::Line(l), Segment::Arc(e)) => {
+            let outwards = l.direction().left() * outward(e);
+            if outwards.x.is_finite() && spans(e, outwards) {
+                out.push(wall.translated(e.center.to_vec() + outwards * e.radius));
+            }
+        }
+        (Segment::Arc(w), Segment::Line(l)) => {
+            let outwards = l.direction().right() * -outward(w);
+            if outwards.x.is_finite() && spans(w, outwards) {
+                out.push(edge.translated(w.center.to_vec() + outwards * w.radius));
+            }
+        }
+        (Segment::Arc(w), Segment::Arc(e)) => along_arc(w, e, -outward(w) * outward(e), out),
+    }
+}
+
+/// 1 where the right normal of an arc points away from its centre, else −1.
+fn outward(a: &Arc) -> f64 {
+    if a.ccw { 1.0 } else { -1.0 }
+}
+
 /// Whether an arc points into a direction, or misses it by rounding.
 pub(crate) fn spans(a: &Arc, direction: Vec2) -> bool {
     let near = |d: Vec2| direction.angle_to(d).abs() < CUSP;

@@ -56,7 +56,7 @@ fn a_path_too_far_out_gouges_and_one_too_far_in_leaves_material() {
     let out = judge(&pocket, &rect, &[square(4.003)]);
     assert!(out.gouge_depth() > out.budget.gouge, "{:?}", out.gouge);
     let inside = judge(&pocket, &rect, &[square(3.996)]);
-    assert!(!inside.covered && inside.gouge.is_none(), "{:?}", inside.complaints());
+    assert!(!inside.covered && inside.gouge_depth() <= inside.budget.gouge, "{:?}", inside.complaints());
     let at = inside.uncut_spots[0].at;
     assert!(at.x.abs().max(at.y.abs()) > 3.9);
 }

@@ -1,0 +1,76 @@
+//! Tools that are not round, from outside.
+
+use crate::support::{Sandbox, bracket, pocketry, stderr};
+
+const POCKET: &str = r#"{"id": "pocket", "units": "mm", "loops": [[[0, 0, 0], [60, 0, 0], [60, 36, 0], [0, 36, 0]], [[26, 18, 1], [34, 18, 1]]]}"#;
+
+#[test]
+fn a_rectangular_tool_makes_a_proven_program_and_a_picture() {
+    let folder = Sandbox::new();
+    folder.write("pocket.json", POCKET);
+    let (drawing, program, plot) = (folder.path("pocket.json"), folder.path("a.ngc"), folder.path("a.svg"));
+    for profile in ["rect:12x4", "rounded:12x4r1", "stadium:8x4", "ellipse:10x5", "polygon:6x10", "rect:8x4@30"] {
+        let run = pocketry()
+            .args(["pocket", &drawing, "--tool-profile", profile, "--depth", "2", "-o", &program, "--plot", &plot])
+            .output()
+            .unwrap();
+        assert_eq!(run.status.code(), Some(0), "{profile}: {}", stderr(&run));
+        assert!(folder.read("a.ngc").contains("does not turn"), "{profile}");
+        let judge = |p: &str| pocketry().args(["verify", &drawing, &program, "--tool-profile", p]).output().unwrap();
+        assert_eq!(judge(profile).status.code(), Some(0), "{profile}: {}", stderr(&judge(profile)));
+        assert_eq!(judge("rect:13x6").status.code(), Some(1), "{profile}: a larger tool gouges");
+        assert_eq!(judge("circle:2").status.code(), Some(1), "{profile}: a smaller tool leaves something");
+    }
+    assert!(folder.read("a.svg").contains("</svg>"));
+}
+
+#[test]
+fn a_tool_is_drawn_about_its_reference_point() {
+    let folder = Sandbox::new();
+    folder.write("pocket.json", POCKET);
+    let drawing = folder.path("pocket.json");
+    let l = r#"{"id": "tool", "units": "mm", "loops": [[[-2, -2, 0], [4, -2, 0], [4, 1, 0], [1, 1, 0], [1, 4, 0], [-2, 4, 0]]]}"#;
+    folder.write("tool.json", l);
+    folder.write("away.json", &l.replace("-2", "10"));
+    let run = |tool: &str| {
+        let profile = format!("file:{}", folder.path(tool));
+        pocketry().args(["pocket", &drawing, "--tool-profile", &profile, "-o", &folder.path("a.ngc")]).output().unwrap()
+    };
+    let done = run("tool.json");
+    assert_eq!(done.status.code(), Some(0), "{}", stderr(&done));
+    assert!(folder.read("a.ngc").contains("file:tool.json"));
+    let away = run("away.json");
+    assert_eq!(away.status.code(), Some(2));
+}
+
+#[test]
+fn what_a_profile_cannot_do_is_said() {
+    let folder = Sandbox::new();
+    let said = |more: &[&str]| {
+        let run = pocketry().args(["pocket", &bracket(), "-o", &folder.path("a.ngc")]).args(more).output().unwrap();
+        (run.status.code(), stderr(&run))
+    };
+    let (code, text) = said(&["--tool-profile", "rect:12"]);
+    assert!(code == Some(2) && text.contains("rect:12x4"), "{text}");
+    let (code, text) = said(&["--tool-profile", "rect:900x400"]);
+    assert!(code == Some(2) && text.contains("fits nowhere"), "{text}");
+    let (code, text) = said(&["--tool-profile", "cone:90"]);
+    assert!(code == Some(2) && text.contains("--depth"), "{text}");
+    let (code, text) = said(&["--tool-profile", "rect:6x4", "--stock-to-leave", "0.1"]);
+    assert!(code == Some(2) && text.contains("profile that much larger"), "{text}");
+    assert!(folder.files().is_empty());
+}
+
+#[test]
+fn a_cone_is_as_wide_as_its_depth_makes_it() {
+    let folder = Sandbox::new();
+    folder.write("pocket.json", POCKET);
+    let (drawing, program) = (folder.path("pocket.json"), folder.path("a.ngc"));
+    let run = pocketry()
+        .args(["pocket", &drawing, "--tool-profile", "cone:90", "--depth", "3", "-o", &program])
+        .output()
+        .unwrap();
+    assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
+    let judged = pocketry().args(["verify", &drawing, &program, "--tool", "6"]).output().unwrap();
+    assert_eq!(judged.status.code(), Some(0), "a round tool of 6 mm: {}", stderr(&judged));
+}
