@@ -56,8 +56,8 @@ pub const SAME_CIRCLE: f64 = 1e-13;
 /// a channel as narrow holds no tool, so nothing that can be milled is lost.
 pub const NARROW: f64 = 1e-5;
 
-/// Where a loop crosses itself, a stretch between that is no larger than this is a slip of the pen. *Relative*, and never
-/// above the join tolerance, by which walls may move anyway.
+/// Where a loop crosses itself, a stretch between that is no larger than this is a slip of the pen, if it strays no farther
+/// than the join tolerance from what stays. *Relative.*
 pub const CURL: f64 = 2e-3;
 
 /// Directions that differ by less are compared by where their curves lead, rad: a touch point known to [`TOUCH`] leaves

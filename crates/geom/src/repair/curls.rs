@@ -1,6 +1,10 @@
 //! Curls: where a loop crosses itself and comes back to the same place at once, as careless paths of icons do.
+//!
+//! A curl is small, or it runs along what stays of the loop: a path drawn a little past its start, say. Cutting it off moves
+//! no wall by more than a tolerance.
 
 use super::report::Note;
+use crate::bbox::BBox;
 use crate::contour::Contour;
 use crate::index::SegmentIndex;
 use crate::intersect::{Closeness, Contact, contacts};
@@ -19,13 +23,27 @@ struct Curl {
     size: f64,
 }
 
-/// Cuts off every curl up to a size, mm; says whether there was one.
-pub(super) fn cut_off(loops: &mut [(u32, Contour)], largest: f64, closeness: Closeness, notes: &mut Vec<Note>) -> bool {
+/// What counts as a curl.
+#[derive(Clone, Copy)]
+pub(super) struct Limits {
+    /// The larger extent of its box, mm.
+    pub(super) extent: f64,
+    /// How far it may lie from what stays, mm.
+    pub(super) stray: f64,
+}
+
+/// Cuts off every curl; says whether there was one.
+pub(super) fn cut_off(
+    loops: &mut [(u32, Contour)],
+    limits: Limits,
+    closeness: Closeness,
+    notes: &mut Vec<Note>,
+) -> bool {
     let mut any = false;
     for (name, contour) in loops {
         // Each round cuts one of any that overlap, and makes the loop shorter.
         loop {
-            let curls = find(contour, largest, closeness);
+            let curls = find(contour, limits, closeness);
             if curls.is_empty() {
                 break;
             }
@@ -37,13 +55,17 @@ pub(super) fn cut_off(loops: &mut [(u32, Contour)], largest: f64, closeness: Clo
 }
 
 /// All curls, by where they begin.
-fn find(contour: &Contour, largest: f64, closeness: Closeness) -> Vec<Curl> {
+fn find(contour: &Contour, limits: Limits, closeness: Closeness) -> Vec<Curl> {
     let edges = &contour.segments;
+    let index = SegmentIndex::new(edges);
     let mut curls = Vec::new();
-    let ControlFlow::Continue(()) = SegmentIndex::new(edges).visit_pairs(closeness.touch, |i, j| {
+    let ControlFlow::Continue(()) = index.visit_pairs(closeness.touch, |i, j| {
         contacts(&edges[i], &edges[j], closeness, |contact| {
             if let Contact::Crossing { at, shallow: false } = contact {
-                curls.extend(curl(edges, i, j, at, largest).or_else(|| curl(edges, j, i, at, largest)));
+                let between = |first, last| Curl::new(edges, first, last, at, limits.extent);
+                let slight = |c: &Curl| c.size <= limits.stray || c.runs_along(edges, &index, limits.stray);
+                let either = [between(i, j), between(j, i)];
+                curls.extend(either.into_iter().flatten().find(slight));
             }
         });
         ControlFlow::<std::convert::Infallible>::Continue(())
@@ -52,17 +74,50 @@ fn find(contour: &Contour, largest: f64, closeness: Closeness) -> Vec<Curl> {
     curls
 }
 
-/// The stretch from a crossing on one edge to the same crossing on another, where it is small.
-fn curl(edges: &[Segment], first: usize, last: usize, at: Point, largest: f64) -> Option<Curl> {
-    let count = (last + edges.len() - first) % edges.len();
-    let mut bbox = edges[first].split_at(at).1.bbox().union(edges[last].split_at(at).0.bbox());
-    for k in 1..count {
-        if bbox.size() > largest {
-            break;
+impl Curl {
+    /// The stretch from a crossing on one edge to the same crossing on another, where it is no larger than `extent`.
+    fn new(edges: &[Segment], first: usize, last: usize, at: Point, extent: f64) -> Option<Self> {
+        let count = (last + edges.len() - first) % edges.len();
+        let mut curl = Self { at, first, count, size: 0.0 };
+        let mut bbox = BBox::EMPTY;
+        for piece in (0..=count).map(|k| curl.piece(edges, k)) {
+            bbox = bbox.union(piece.bbox());
+            if bbox.size() > extent {
+                return None;
+            }
         }
-        bbox = bbox.union(edges[(first + k) % edges.len()].bbox());
+        curl.size = bbox.size();
+        Some(curl)
     }
-    (bbox.size() <= largest).then_some(Curl { at, first, count, size: bbox.size() })
+
+    /// Its pieces: the end of its first edge, whole edges, the beginning of its last one.
+    fn piece(&self, edges: &[Segment], k: usize) -> Segment {
+        let edge = edges[(self.first + k) % edges.len()];
+        match k {
+            0 => edge.split_at(self.at).1,
+            k if k == self.count => edge.split_at(self.at).0,
+            _ => edge,
+        }
+    }
+
+    /// Whether every piece lies within `stray` of what stays, as far as its ends and quarters tell.
+    fn runs_along(&self, edges: &[Segment], index: &SegmentIndex, stray: f64) -> bool {
+        let n = edges.len();
+        let is_near = |p: Point| {
+            let mut near = p.distance(self.at) <= stray;
+            index.visit(BBox::of(p, p), stray, |k, s| {
+                let stays = match (k + n - self.first) % n {
+                    0 => s.split_at(self.at).0,
+                    j if j == self.count => s.split_at(self.at).1,
+                    j if j < self.count => return,
+                    _ => *s,
+                };
+                near |= stays.distance(p) <= stray;
+            });
+            near
+        };
+        (0..=self.count).map(|k| self.piece(edges, k)).all(|s| (0..4).all(|q| is_near(s.at(0.25 * f64::from(q)))))
+    }
 }
 
 /// What becomes of an edge.

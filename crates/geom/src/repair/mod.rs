@@ -6,7 +6,7 @@
 //! 2. [`circles`]: arcs of one circle share its centre and radius exactly;
 //! 3. [`duplicates`]: loops without area and loops drawn twice are dropped;
 //! 4. [`contacts`]: edges that cross are an error unless they bound a mere sliver; ends on other edges and tangencies
-//!    are touches; where a loop crosses itself, [`curls`] no larger than the join tolerance are cut off first;
+//!    are touches; where a loop crosses itself, [`curls`] within the join tolerance are cut off first;
 //! 5. [`arrangement`]: edges are split at touches, pieces that cover each other cancel in pairs;
 //! 6. [`fans`], [`sides`]: which side of every edge is interior, by parity from the left;
 //! 7. [`splice`]: contours that keep the interior to the left and walk each wedge of it at a touch by itself;
@@ -41,8 +41,8 @@ use crate::tolerance;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RepairOptions {
     /// Contours that nowhere lie farther apart than this are one drawn twice, and slivers no wider than this where edges
-    /// cross are dropped, mm; but never above [`tolerance::NARROW`] of the size. Curls up to this are cut off, but never
-    /// above [`tolerance::CURL`] of the size.
+    /// cross are dropped, mm; but never above [`tolerance::NARROW`] of the size. Curls are cut off that stray no farther than
+    /// this from what stays and are no larger than [`tolerance::CURL`] of the size.
     pub join_tolerance: f64,
 }
 
@@ -51,8 +51,9 @@ impl RepairOptions {
         self.join_tolerance.min(tolerance::NARROW * bbox.size())
     }
 
-    fn largest_curl(self, bbox: BBox) -> f64 {
-        self.join_tolerance.min(tolerance::CURL * bbox.size())
+    fn curl(self, bbox: BBox) -> curls::Limits {
+        let extent = tolerance::CURL * bbox.size();
+        curls::Limits { extent, stray: self.join_tolerance.min(extent) }
     }
 }
 
@@ -94,7 +95,7 @@ pub fn build(loops: Vec<Contour>, options: &RepairOptions) -> Result<Healed, Reg
     let closeness = Closeness { touch, lens: options.narrow(bbox) };
     let mut drawn = Drawn::new(&loops);
     let mut found = drawn.contacts(closeness);
-    if found.is_err() && curls::cut_off(&mut loops, options.largest_curl(bbox), closeness, &mut notes) {
+    if found.is_err() && curls::cut_off(&mut loops, options.curl(bbox), closeness, &mut notes) {
         drawn = Drawn::new(&loops);
         found = drawn.contacts(closeness);
     }

@@ -83,3 +83,18 @@ fn curls_of_arcs_and_several_on_one_loop_are_cut_off() {
     );
     assert!(is_stable(&healed));
 }
+
+#[test]
+fn a_path_drawn_past_its_start_is_cut_off_where_it_runs_along_itself() {
+    // The last side goes 50 um too far, and the closing line back: 3 um from it, then 20 um.
+    for (height, past, fine) in [(3.0, 0.002, true), (30.0, 0.02, false)] {
+        let corners = [[20.0, 0.0], [10.0, -0.001], [10.0, 40.0], [50.0, 40.0], [50.0, height], [19.95, -past]];
+        let vertices = corners.map(|[x, y]| [x, y, 0.0]);
+        let healed = healed(&vertices);
+        assert_eq!(healed.is_ok(), fine, "{healed:?}");
+        if let Ok(healed) = healed {
+            assert!(matches!(healed.notes[..], [Note::Curl { .. }]), "{:?}", healed.notes);
+            assert!(is_stable(&healed));
+        }
+    }
+}
