@@ -19,7 +19,9 @@ use std::process::ExitCode;
 const SHARES: [f64; 5] = [0.3, 0.6, 1.0, 1.5, 2.5];
 /// Scallops as shares of that tool's radius.
 const SCALLOPS: [f64; 3] = [0.05, 0.2, 0.45];
-/// Samples on each wall, and in each row and column of a grid over the region.
+/// Distance of samples along walls as a share of the tool's radius: what is deepest in a neck is a peak along the wall.
+const WALL_STEP: f64 = 0.01;
+/// Samples in each row and column of a grid over the region.
 const SAMPLES: u32 = 64;
 /// Regions larger than this take too long here.
 const MOST_EDGES: usize = 300;
@@ -127,15 +129,18 @@ fn brute_force(region: &Region, skeleton: &Skeleton, diameter: f64) -> Option<Le
     let beyond = |p: Point| index.nearest(p).map_or(f64::INFINITY, |n| n.1) - 0.5 * diameter;
     let vouched = proof.area_error <= AREA * proof.region_area;
     Some(Left {
-        depth: samples(region).into_iter().map(beyond).fold(0.0, f64::max),
+        depth: samples(region, WALL_STEP * 0.5 * diameter).into_iter().map(beyond).fold(0.0, f64::max),
         area: vouched.then_some(proof.unreachable_area),
     })
 }
 
-/// Points along the walls and all over the region.
-fn samples(region: &Region) -> Vec<Point> {
+/// Points along the walls, no farther apart than this, and all over the region.
+fn samples(region: &Region, step: f64) -> Vec<Point> {
+    let along = |s: &Segment| {
+        let steps = (s.length() / step).ceil().max(1.0);
+        (0..=steps as u32).map(|k| s.at(f64::from(k) / steps)).collect::<Vec<_>>()
+    };
     let share = |k: u32| f64::from(k) / f64::from(SAMPLES);
-    let along = |s: &Segment| (0..=SAMPLES).map(|k| s.at(share(k))).collect::<Vec<_>>();
     let BBox { min, max } = region.bbox();
     let row = |y: f64| (0..=SAMPLES).map(move |k| point(min.x + share(k) * (max.x - min.x), y));
     let grid = (0..=SAMPLES).flat_map(|k| row(min.y + share(k) * (max.y - min.y))).filter(|&p| region.contains(p));

@@ -13,10 +13,11 @@ use super::Depth;
 use super::mouths::Mouths;
 use super::zones::Zone;
 use crate::bbox::BBox;
+use crate::index::SegmentIndex;
 use crate::point::{Point, point};
-use crate::ray::crossings_left;
 use crate::segment::{Arc, Segment};
 use crate::tolerance::DEPTH;
+use std::cell::OnceCell;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 use std::f64::consts::TAU;
@@ -157,6 +158,7 @@ fn farthest_between(zone: &Zone, mouths: &Mouths<'_>, exact: f64, least: Farthes
     if list.len() < 3 {
         return least;
     }
+    let inside = Inside::of(zone);
     let bbox = list.iter().fold(BBox::EMPTY, |b, m| b.with(m.at));
     let mut squares = vec![Square { bbox, mouths: (0..list.len() as u32).collect(), depth: 0 }];
     let mut best = least;
@@ -174,7 +176,7 @@ fn farthest_between(zone: &Zone, mouths: &Mouths<'_>, exact: f64, least: Farthes
         square.mouths.truncate(FEW);
         for center in circumcentres(&square.mouths, mouths) {
             let distance = mouths.nearest(center).1;
-            if distance > best.0 + exact && zone.contains(center) {
+            if distance > best.0 + exact && inside.contains(center) {
                 best = (distance, center);
             }
         }
@@ -228,14 +230,23 @@ fn circumcentre(a: Point, b: Point, c: Point) -> Option<Point> {
     Some(a - way).filter(|p| p.is_finite())
 }
 
-impl Zone {
-    /// Whether a point lies in it (even-odd; its boundary are the walls and, at mouths, the ways to the two feet).
+/// The boundary of a zone, in an index once it is asked for: the walls and, at mouths, the ways to the two feet.
+struct Inside<'a> {
+    zone: &'a Zone,
+    index: OnceCell<SegmentIndex>,
+}
+
+impl<'a> Inside<'a> {
+    fn of(zone: &'a Zone) -> Self {
+        Self { zone, index: OnceCell::new() }
+    }
+
+    /// Whether a point lies in the zone (even-odd).
     fn contains(&self, p: Point) -> bool {
-        let mut crossings = 0_usize;
-        let gates = self.mouths.iter().flat_map(|m| m.feet.map(|f| Segment::line(m.at, f)));
-        for s in self.walls.iter().copied().chain(gates) {
-            crossings_left(&s, p, |_| crossings += 1);
-        }
-        crossings % 2 == 1
+        let index = self.index.get_or_init(|| {
+            let gates = self.zone.mouths.iter().flat_map(|m| m.feet.map(|f| Segment::line(m.at, f)));
+            SegmentIndex::new(&self.zone.walls.iter().copied().chain(gates).collect::<Vec<_>>())
+        });
+        index.crossings_left(p) % 2 == 1
     }
 }
