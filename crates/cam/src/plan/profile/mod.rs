@@ -12,8 +12,8 @@
 //! **Nothing is left.** Let `b` be a point of `B` and `T ⊆ b − B`. Let `x` be a point that `B` covers at some admissible place; the places
 //! that cover `x` are `x − B`, a connected set that meets `A₀`. If it meets the outline of any `Aₖ`, then that loop cuts `x`. If not,
 //! it lies within some last `Aₖ`; but then `(x − b) + T ⊆ x − B ⊆ Aₖ`, so that `x − b` is a point of `Aₖ₊₁`, which thus is not
-//! empty and holds `x − B` too: a contradiction. For convex `B` the step is `σ(b − B)` with `b` the centre of its largest inscribed
-//! circle and σ ≤ 1 (the share of the stepover); else it is a circle with σ times the radius of that one, about `b`.
+//! empty and holds `x − B` too: a contradiction. For convex `B` the step is `σ(b − B)` with `b` the mean of its corners and σ ≤ 1 (the
+//! stepover as a share of the radius of the largest inscribed circle); else it is a circle with σ times that radius.
 //!
 //! Departures from the paper: the outline of an erosion is computed as lines and arcs and not point by point; successive offsets are taken by `T` and not by `B`, so that they overlap and so that profiles without
 //! symmetry leave nothing; ways from a part's loop to the next one out lead straight to its nearest point, which is
@@ -72,7 +72,7 @@ pub fn plan_profile(region: &Region, profile: &ToolProfile, job: &PocketJob) -> 
             height: profile.contour().bbox().height(),
         });
     }
-    let forest = tree::Forest::new(first, &step(profile, center, radius, stepover / radius))?;
+    let forest = tree::Forest::new(first, &step(profile, radius, stepover / radius))?;
     let chains = walk::chains(&forest);
     let mut plan = moves::write(&forest, &chains, job, stepover);
     warnings.append(&mut plan.warnings);
@@ -82,10 +82,13 @@ pub fn plan_profile(region: &Region, profile: &ToolProfile, job: &PocketJob) -> 
 }
 
 /// The step between successive loops.
-fn step(profile: &ToolProfile, center: Point, radius: f64, share: f64) -> Contour {
+fn step(profile: &ToolProfile, radius: f64, share: f64) -> Contour {
     if profile.is_convex() {
-        let moved = |[x, y, bulge]: [f64; 3]| [share * (center.x - x), share * (center.y - y), bulge];
-        Contour::from_vertices(&profile.contour().to_vertices().into_iter().map(moved).collect::<Vec<_>>())
+        let vertices = profile.contour().to_vertices();
+        let sum = vertices.iter().fold([0.0; 2], |[x, y], v| [x + v[0], y + v[1]]);
+        let [x, y] = sum.map(|s| s / vertices.len() as f64);
+        let moved = |v: &[f64; 3]| [share * (x - v[0]), share * (y - v[1]), v[2]];
+        Contour::from_vertices(&vertices.iter().map(moved).collect::<Vec<_>>())
     } else {
         ToolProfile::circle(share * radius).contour().clone()
     }

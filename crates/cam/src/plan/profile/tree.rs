@@ -6,6 +6,10 @@ use crate::plan::PlanError;
 use pocketry_geom::distance::Boundary;
 use pocketry_geom::{Contour, Point, Region};
 
+/// Points of a part's outline that say which part is around it, and where on their segments they lie.
+const VOTES: usize = 9;
+const VOTE_AT: f64 = 0.437;
+
 /// A connected part of an erosion.
 #[derive(Clone, Debug)]
 pub(super) struct Part {
@@ -64,10 +68,11 @@ impl Forest {
         let regions: Vec<Region> = parents.iter().map(|&p| self.region(p)).collect();
         let boxes: Vec<_> = regions.iter().map(Region::bbox).collect();
         for &part in parts {
-            let inside = self.parts[part as usize].contours[0].segments[0].at(0.5);
-            let around = (0..parents.len()).filter(|&k| boxes[k].contains(inside));
-            // Rounding may leave a thin part beside all of them: the first one then cuts it, too.
-            let found = around.clone().find(|&k| regions[k].contains(inside)).unwrap_or(0);
+            // Rounding may misplace one point, or leave a thin part beside all others.
+            let outline = &self.parts[part as usize].contours[0].segments;
+            let points: Vec<_> = outline.iter().step_by(outline.len().div_ceil(VOTES)).map(|s| s.at(VOTE_AT)).collect();
+            let votes = |k: usize| points.iter().filter(|p| boxes[k].contains(**p) && regions[k].contains(**p)).count();
+            let found = (0..parents.len()).max_by_key(|&k| (votes(k), std::cmp::Reverse(k))).unwrap_or(0);
             self.parts[parents[found] as usize].children.push(part);
         }
     }
