@@ -3,6 +3,7 @@
 //! Whether two edges cross is decided exactly. Anything degenerate (a corner on an edge, edges that overlap, two crossings of an
 //! edge too near to one another to be told apart) is reported, not guessed: see [`super::solve`].
 
+use super::covered::Covered;
 use super::grid::Grid;
 use super::raw::Raw;
 use crate::bbox::BBox;
@@ -12,6 +13,12 @@ use crate::predicates::orientation;
 use crate::segment::Segment;
 use crate::tolerance::COORDINATE_ROUNDOFF;
 use std::ops::ControlFlow;
+
+/// With more pairs of neighbours than this for one edge, covered edges are looked for.
+const CROWD: usize = 24;
+
+/// So few edges need no help.
+const FEW: usize = 256;
 
 /// The passing of one edge through a crossing.
 #[derive(Clone, Copy, Debug)]
@@ -41,6 +48,8 @@ pub(super) struct Arrangement<'a> {
     pub(super) next: Vec<u32>,
     /// All passages, in order along the loops.
     pub(super) passages: Vec<Passage>,
+    /// Edges that surely are no part of the offset: they have no passages. Empty where none was looked for.
+    pub(super) dead: Vec<bool>,
     finder: Finder,
 }
 
@@ -51,25 +60,72 @@ enum Finder {
     Tree(SegmentIndex, f64),
 }
 
+impl Finder {
+    fn tree(segments: &[Segment], bbox: BBox) -> Self {
+        Self::Tree(SegmentIndex::new(segments), bbox.max.y)
+    }
+}
+
 impl<'a> Arrangement<'a> {
     /// Finds all crossings.
     pub(super) fn new(raw: &'a Raw) -> Result<Self, Undecided> {
         let next = successors(raw);
         let edge = |k: usize| [raw.points[k], raw.points[next[k] as usize]];
         let bbox = raw.points.iter().fold(BBox::EMPTY, |b, &p| b.with(p));
-        let finder = Grid::new(next.len(), bbox, edge).map_or_else(
-            || {
-                let segments: Vec<Segment> =
-                    (0..next.len()).map(|k| Segment::line(raw.points[k], edge(k)[1])).collect();
-                Finder::Tree(SegmentIndex::new(&segments), bbox.max.y)
-            },
-            Finder::Grid,
-        );
-        let mut this = Self { raw, next, passages: Vec::new(), finder };
-        let pairs = this.crossing_pairs()?;
-        this.passages = pairs.iter().enumerate().flat_map(|(k, &(a, b))| this.passages_of(k as u32, a, b)).collect();
-        this.sort()?;
-        Ok(this)
+        let finder =
+            Grid::new(next.len(), bbox, edge).map_or_else(|| Finder::tree(&segments(raw, &next), bbox), Finder::Grid);
+        Self { raw, next, passages: Vec::new(), dead: Vec::new(), finder }.completed()
+    }
+
+    /// Whether so many edges lie beside one another that finding the covered ones first pays.
+    pub(super) fn is_crowded(raw: &Raw) -> bool {
+        let next = successors(raw);
+        let bbox = raw.points.iter().fold(BBox::EMPTY, |b, &p| b.with(p));
+        next.len() > FEW
+            && Grid::new(next.len(), bbox, |k| [raw.points[k], raw.points[next[k] as usize]])
+                .is_none_or(|grid| grid.pair_count() > CROWD * next.len())
+    }
+
+    /// Finds the crossings of edges that are not covered.
+    pub(super) fn of_uncovered(raw: &'a Raw, covered: &Covered) -> Result<Self, Undecided> {
+        let next = successors(raw);
+        let all = segments(raw, &next);
+        let dead: Vec<bool> = all.iter().map(|s| covered.holds([s.start(), s.end()])).collect();
+        let bbox = raw.points.iter().fold(BBox::EMPTY, |b, &p| b.with(p));
+        Self { raw, next, passages: Vec::new(), dead, finder: Finder::tree(&all, bbox) }.completed()
+    }
+
+    fn completed(mut self) -> Result<Self, Undecided> {
+        let pairs = if self.dead.is_empty() { self.crossing_pairs()? } else { self.living_pairs()? };
+        self.passages = pairs.iter().enumerate().flat_map(|(k, &(a, b))| self.passages_of(k as u32, a, b)).collect();
+        self.sort()?;
+        Ok(self)
+    }
+
+    fn living_pairs(&self) -> Result<Vec<(u32, u32)>, Undecided> {
+        let living: Vec<usize> = (0..self.next.len()).filter(|&k| !self.dead[k]).collect();
+        let segments: Vec<Segment> = living.iter().map(|&k| Segment::line(self.edge(k)[0], self.edge(k)[1])).collect();
+        let mut pairs = Vec::new();
+        let flow = SegmentIndex::new(&segments).visit_pairs(0.0, |a, b| {
+            match self.crosses(living[a], living[b], &mut pairs) {
+                Ok(()) => ControlFlow::Continue(()),
+                Err(undecided) => ControlFlow::Break(undecided),
+            }
+        });
+        if let ControlFlow::Break(undecided) = flow {
+            return Err(undecided);
+        }
+        pairs.sort_unstable();
+        pairs.dedup();
+        Ok(pairs)
+    }
+
+    /// Notes two edges if they cross.
+    fn crosses(&self, a: usize, b: usize, pairs: &mut Vec<(u32, u32)>) -> Result<(), Undecided> {
+        if self.next[a] as usize != b && self.next[b] as usize != a && cross(self.edge(a), self.edge(b))? {
+            pairs.push((a.min(b) as u32, a.max(b) as u32));
+        }
+        Ok(())
     }
 
     /// The two ends of an edge.
@@ -80,12 +136,7 @@ impl<'a> Arrangement<'a> {
 
     fn crossing_pairs(&self) -> Result<Vec<(u32, u32)>, Undecided> {
         let mut pairs = Vec::new();
-        let mut test = |a: usize, b: usize| {
-            if self.next[a] as usize != b && self.next[b] as usize != a && cross(self.edge(a), self.edge(b))? {
-                pairs.push((a.min(b) as u32, a.max(b) as u32));
-            }
-            Ok(())
-        };
+        let mut test = |a: usize, b: usize| self.crosses(a, b, &mut pairs);
         match &self.finder {
             Finder::Grid(grid) => grid.pairs(test)?,
             Finder::Tree(tree, _) => {
@@ -146,12 +197,16 @@ impl<'a> Arrangement<'a> {
 
     /// The curves' winding number at a corner, without the edges that end there.
     pub(super) fn winding_at(&self, corner: usize) -> i32 {
-        let p = self.raw.points[corner];
+        self.winding_above(self.raw.points[corner], |k| k == corner || self.next[k] as usize == corner)
+    }
+
+    /// The winding number just above a point, without some edges.
+    pub(super) fn winding_above(&self, p: Point, without: impl Fn(usize) -> bool) -> i32 {
         let mut above: Vec<(u32, i32)> = Vec::new();
         let mut look = |k: usize| {
             let [c, d] = self.edge(k);
             let (rightwards, leftwards) = (c.x <= p.x && p.x < d.x, d.x <= p.x && p.x < c.x);
-            if k == corner || self.next[k] as usize == corner || !(rightwards || leftwards) {
+            if without(k) || !(rightwards || leftwards) {
                 return;
             }
             let side = orientation(c, d, p);
@@ -169,6 +224,10 @@ impl<'a> Arrangement<'a> {
         above.dedup();
         above.iter().map(|a| a.1).sum()
     }
+}
+
+fn segments(raw: &Raw, next: &[u32]) -> Vec<Segment> {
+    next.iter().zip(&raw.points).map(|(&n, &p)| Segment::line(p, raw.points[n as usize])).collect()
 }
 
 fn successors(raw: &Raw) -> Vec<u32> {

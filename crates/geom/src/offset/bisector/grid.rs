@@ -43,8 +43,12 @@ impl Grid {
         }
         entries.sort_unstable();
         grid.entries = entries;
-        let pairs: usize = grid.cells().map(|c| c.len() * c.len() / 2).sum();
-        (pairs <= PAIRS_PER_EDGE * count).then_some(grid)
+        (grid.pair_count() <= PAIRS_PER_EDGE * count).then_some(grid)
+    }
+
+    /// Pairs of edges that share a cell; some are counted more than once.
+    pub(super) fn pair_count(&self) -> usize {
+        self.cells().map(|c| c.len() * c.len() / 2).sum()
     }
 
     fn cells(&self) -> impl Iterator<Item = &[u64]> {

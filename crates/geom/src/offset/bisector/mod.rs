@@ -10,6 +10,7 @@
 //! 3. [`grid`], [`crossings`]: intersections by the grid method;
 //! 4. [`trace`]: loops are traced along the direction of travel, changing over at every intersection, boundary and
 //!    islands alike, and selected (sections 4 and 5);
+//!    Where edges crowd, those that are surely [`covered`] are left out of steps 3 and 4;
 //! 5. [`unproven`]: shortcuts of step 2 that are not certain beforehand are checked against the loops found.
 //!
 //! # What is computed
@@ -52,6 +53,7 @@
 //! go through the segment tree instead, O((n + k) log n) for k crossings.
 
 mod corner;
+mod covered;
 mod crossings;
 mod grid;
 mod leftover;

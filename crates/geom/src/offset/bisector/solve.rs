@@ -5,12 +5,13 @@
 //! channels exactly as wide as the tool close everywhere.
 
 use super::corner::Joint;
+use super::covered::Covered;
 use super::crossings::{Arrangement, Undecided};
 use super::profile::Profiles;
 use super::raw::{Raw, Trust};
 use super::{trace, unproven};
 use crate::point::{Point, Vec2, vec2};
-use crate::tolerance::bisector::{ATTEMPTS, FIRST_RANGE, RANGE_GROWTH, SLIVER};
+use crate::tolerance::bisector::{ATTEMPTS, FIRST_RANGE, RANGE_GROWTH, SLIVER, STRIP_SLACK};
 use crate::tolerance::{OFFSET_DROP, touch_length};
 
 /// Rounds of edges left out on trust: nearly always one is enough, or two.
@@ -53,6 +54,9 @@ fn at_range(
     for _ in 0..ROUNDS {
         let mut raw = Raw::new(&profiles.loops, &joint, Trust::Check(&marked));
         shake(&mut raw.points, range, seed);
+        if Arrangement::is_crowded(&raw) {
+            return uncrowded(profiles, &joint, range, seed);
+        }
         let loops = trace::loops(&Arrangement::new(&raw)?)?;
         let uncovered = unproven::uncovered(&raw.unproven, &loops, &joint, bbox);
         if uncovered.is_empty() {
@@ -66,6 +70,16 @@ fn at_range(
     let mut raw = Raw::new(&profiles.loops, &joint, Trust::Prove);
     shake(&mut raw.points, range, seed);
     trace::loops(&Arrangement::new(&raw)?)
+}
+
+/// The loops of a raw curve that is mostly covered: crossings are found where it is not. Nothing may be left out on trust, since
+/// coverage is that of all strips.
+fn uncrowded(profiles: &Profiles, joint: &Joint, range: f64, seed: u64) -> Result<Vec<Vec<Point>>, Undecided> {
+    let mut raw = Raw::new(&profiles.loops, joint, Trust::Prove);
+    shake(&mut raw.points, range, seed);
+    let nominal = Joint { distance: joint.distance - 2.0 * range, ..*joint };
+    let covered = Covered::new(&profiles.loops, &nominal, profiles.bbox, STRIP_SLACK * profiles.bbox.size());
+    trace::uncovered_loops(&Arrangement::of_uncovered(&raw, &covered)?, &covered)
 }
 
 /// Moves every point by up to `range` along either axis.

@@ -178,3 +178,45 @@ fn mitred_loops_leave_material_at_right_angles_from_1707_radii_on() {
         assert!((outer - 1.0).abs() < 1e-9);
     }
 }
+
+/// A closed line whose edges are far shorter than the offset distance, with spikes of all widths.
+fn ragged(n: usize, seed: u64) -> Region {
+    let mut state = seed;
+    let mut random = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    let corner = |k: usize| {
+        let (t, r) = (k as f64 / n as f64 * std::f64::consts::TAU, 30.0 + 3.0 * random());
+        [1.6 * r * t.cos(), r * t.sin()]
+    };
+    let corners: Vec<[f64; 2]> = (0..n).map(corner).collect();
+    region(&[&corners])
+}
+
+#[test]
+fn leaving_covered_edges_out_changes_nothing() {
+    for seed in 1..6 {
+        let region = ragged(600, seed);
+        let profiles = profile::Profiles::new(&region, 0.1);
+        for (distance, limit) in [(4.0, 1.0), (9.0, 1.5)] {
+            let far = 200.0;
+            let joint = corner::Joint { distance, limit, far };
+            let raw = raw::Raw::new(&profiles.loops, &joint, raw::Trust::Prove);
+            let all = trace::loops(&crossings::Arrangement::new(&raw).unwrap()).unwrap();
+            let covered = covered::Covered::new(&profiles.loops, &joint, profiles.bbox, 1e-6);
+            let fewer = crossings::Arrangement::of_uncovered(&raw, &covered).unwrap();
+            assert!(4 * fewer.dead.iter().filter(|&&d| d).count() > raw.points.len(), "many edges are covered");
+            let some = trace::uncovered_loops(&fewer, &covered).unwrap();
+            let sorted = |loops: Vec<Vec<Point>>| {
+                let areas = loops.iter().map(|l| closed(l).area());
+                let mut areas: Vec<f64> = areas.filter(|a| a.abs() > 1e-9).collect();
+                areas.sort_by(f64::total_cmp);
+                areas
+            };
+            let (all, some) = (sorted(all), sorted(some));
+            assert_eq!(all.len(), some.len(), "{seed} {distance} {limit}");
+            assert!(!some.is_empty() && all.iter().zip(&some).all(|(a, b)| (a - b).abs() < 1e-9));
+        }
+    }
+}

@@ -8,6 +8,7 @@
 //!
 //! Where the order of crossings were wrong, winding numbers would contradict each other: that is checked at every crossing.
 
+use super::covered::Covered;
 use super::crossings::{Arrangement, Undecided};
 use crate::point::Point;
 use crate::predicates::orientation;
@@ -24,6 +25,31 @@ pub(super) fn loops(curves: &Arrangement) -> Result<Vec<Vec<Point>>, Undecided> 
     tracer.follow();
     tracer.wind()?;
     tracer.selected()
+}
+
+/// The same where edges that are surely covered have no passages: a loop of the offset has no such edge, and its winding number
+/// is counted at a place of it.
+pub(super) fn uncovered_loops(curves: &Arrangement, covered: &Covered) -> Result<Vec<Vec<Point>>, Undecided> {
+    let mut tracer = Tracer::new(curves);
+    let mut begin = 0;
+    for (number, &end) in curves.raw.ends.iter().enumerate() {
+        tracer.split(number, begin..end as usize);
+        begin = end as usize;
+    }
+    tracer.follow();
+    let mut out = Vec::new();
+    for part in (0..tracer.parts.len()).filter(|&p| tracer.parts[p].1.is_empty()) {
+        let corners = tracer.parts[part].0.clone();
+        if !curves.dead[corners.clone()].contains(&true) && tracer.left_of_topmost(tracer.topmost(part))? == 1 {
+            out.push(curves.raw.points[corners].to_vec());
+        }
+    }
+    for traced in 0..tracer.firsts.len() {
+        if let Some(loop_) = tracer.uncovered(traced, covered) {
+            out.push(loop_);
+        }
+    }
+    Ok(out)
 }
 
 struct Tracer<'a> {
@@ -173,26 +199,51 @@ impl<'a> Tracer<'a> {
         Ok(out)
     }
 
+    /// A traced loop if it is one of the offset.
+    fn uncovered(&self, traced: usize, covered: &Covered) -> Option<Vec<Point>> {
+        let (points, edges) = self.points_and_edges(traced);
+        if edges.iter().any(|&e| self.curves.dead[e as usize]) || points.iter().any(|&p| covered.holds([p, p])) {
+            return None;
+        }
+        // The straight piece that is widest seen from above: a ray along one that stands upright would graze its neighbours.
+        let next = |k: usize| points[(k + 1) % points.len()];
+        let width = |k: usize| (points[k].x - next(k).x).abs();
+        let widest = (0..points.len()).max_by(|&a, &b| width(a).total_cmp(&width(b)))?;
+        let [a, b] = self.curves.edge(edges[widest] as usize);
+        let middle = points[widest].lerp(next(widest), 0.5);
+        let above = self.curves.winding_above(middle, |k| k == edges[widest] as usize);
+        // Above lies to the right of an edge that leads left, or straight up.
+        let right_is_above = b.x < a.x || (b.x == a.x && b.y > a.y);
+        (above + i32::from(right_is_above) == 1).then_some(points)
+    }
+
     /// The corners of a traced loop.
     fn points(&self, traced: usize) -> Vec<Point> {
+        self.points_and_edges(traced).0
+    }
+
+    /// The corners of a traced loop, and the edges on which it goes on from them.
+    fn points_and_edges(&self, traced: usize) -> (Vec<Point>, Vec<u32>) {
         let (passages, next) = (&self.curves.passages, &self.curves.next);
         let first = self.firsts[traced] as usize;
-        let (mut k, mut out) = (first, Vec::new());
+        let (mut k, mut out, mut edges) = (first, Vec::new(), Vec::new());
         loop {
             let (from, to) = (passages[k], passages[self.following[k] as usize]);
             out.push(self.curves.place(&from));
+            edges.push(from.edge);
             let wraps = self.following[k] as usize <= k;
             let mut corner = from.edge;
             while corner != to.edge || (wraps && corner == from.edge) {
                 corner = next[corner as usize];
                 out.push(self.curves.raw.points[corner as usize]);
+                edges.push(corner);
                 if corner == to.edge {
                     break;
                 }
             }
             k = self.onward(k);
             if k == first {
-                return out;
+                return (out, edges);
             }
         }
     }
