@@ -103,6 +103,16 @@ pub(crate) enum Engine {
     Bisector,
 }
 
+/// An engine whose offsets programs are made of.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum LoopEngine {
+    /// Exact, from the Voronoi skeleton: lines and arcs.
+    #[default]
+    Voronoi,
+    /// By pair-wise interference detection, for point sequences: arcs of the drawing become chords.
+    Pairwise,
+}
+
 /// Stepovers from one to another, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Stepovers {
@@ -149,7 +159,7 @@ impl FromStr for Stepover {
     fn from_str(text: &str) -> Result<Self, String> {
         let (number, wrap): (&str, fn(f64) -> Self) = match text.strip_suffix('%') {
             Some(percent) => (percent, |p| Self::OfDiameter(p / 100.0)),
-            None => (text, Self::Length),
+            None => (text.strip_suffix("mm").unwrap_or(text).trim_end(), Self::Length),
         };
         match finite(number) {
             Some(value) if value > 0.0 => Ok(wrap(value)),
@@ -254,6 +264,9 @@ pub(crate) struct CutArgs {
     /// No detours to what loops more than the radius apart leave uncut: such programs are refused.
     #[arg(long)]
     pub(crate) no_cleanup: bool,
+    /// What makes the loops.
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) engine: LoopEngine,
     /// With --tool auto: how far material may stay from what is cut, in corners and necks, mm.
     #[arg(long, value_name = "MM", default_value = "0.1", value_parser = positive)]
     pub(crate) scallop: f64,
@@ -352,6 +365,9 @@ pub(crate) struct StudyArgs {
     /// Chart to write (SVG).
     #[arg(long, value_name = "FILE")]
     pub(crate) plot: Option<PathBuf>,
+    /// What makes the loops.
+    #[arg(long, value_enum, default_value_t)]
+    pub(crate) engine: LoopEngine,
     #[command(flatten)]
     pub(crate) drawing: DrawingArgs,
     /// What the drawing's curves are: `walls`, or `cl` for tool paths (curves on a cutter-location surface).
@@ -519,6 +535,7 @@ impl From<RoughCutArgs> for CutArgs {
             conventional,
             strategy: StrategyArg::Contour,
             boundary: Boundary::Walls,
+            engine: LoopEngine::Voronoi,
             no_cleanup: false,
             scallop: 0.0,
             tools: Vec::new(),

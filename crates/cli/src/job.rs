@@ -1,6 +1,6 @@
 //! The walk from a region to a proven program. No files, no clock: the same for a single job and for a batch.
 
-use crate::args::Boundary;
+use crate::args::{Boundary, LoopEngine};
 use crate::console::{duration, figure};
 use crate::failure::{Exit, Failure};
 use crate::report::{Details, JobReport, NOT_PROVEN, Status};
@@ -22,7 +22,8 @@ pub(crate) const NOT_WRITTEN: &str = "the program is not proven and was not writ
 /// A program that may be written.
 pub(crate) struct Proven {
     pub(crate) setup: Setup,
-    pub(crate) skeleton: Skeleton,
+    /// Where one was needed.
+    pub(crate) skeleton: Option<Skeleton>,
     pub(crate) plan: Plan,
     pub(crate) figures: Figures,
     pub(crate) text: String,
@@ -52,15 +53,15 @@ pub(crate) fn run(drawing: &mut Drawing, settings: &Settings, report: &mut JobRe
     }
 
     let region = &drawing.region;
-    let skeleton = Skeleton::build(region).map_err(|e| Failure::new(Exit::NotProven, "skeleton", e))?;
+    let mut skeleton = None;
     let setup = if let Some(setup) = typed {
         setup
     } else {
-        let setup = chosen(&skeleton, settings)?;
+        let setup = chosen(skeleton.insert(skeleton_of(region)?), settings)?;
         report.set_setup(&setup);
         setup
     };
-    let plans = planned(region, &skeleton, &setup)?;
+    let plans = planned(region, &mut skeleton, &setup)?;
     report.strategies = plans.iter().map(|p| p.1).collect();
     // The best one, unless only the other can be proven.
     let mut first: Option<(Attempt, JobReport)> = None;
@@ -85,15 +86,30 @@ pub(crate) fn run(drawing: &mut Drawing, settings: &Settings, report: &mut JobRe
     })
 }
 
-/// The plans, the best first.
-fn planned(region: &Region, skeleton: &Skeleton, setup: &Setup) -> Result<Vec<(Plan, StrategyCost)>, Failure> {
+/// The plans, the best first; the skeleton is built where one is needed.
+fn planned(
+    region: &Region,
+    skeleton: &mut Option<Skeleton>,
+    setup: &Setup,
+) -> Result<Vec<(Plan, StrategyCost)>, Failure> {
     if let Some(section) = &setup.profile {
         let plan = plan_profile(region, &section.profile, &setup.job).map_err(|e| plan_failure(&e))?;
         let cost = StrategyCost::of(&plan, &setup.job);
         return Ok(vec![(plan, cost)]);
     }
+    if setup.engine == LoopEngine::Pairwise {
+        return pocketry_cam::pairwise_plans(region, &setup.job, setup.any_stepover).map_err(|e| plan_failure(&e));
+    }
+    let skeleton = match skeleton {
+        Some(built) => built,
+        None => skeleton.insert(skeleton_of(region)?),
+    };
     let planner = if setup.any_stepover { pocketry_cam::quickest_plans } else { pocketry_cam::plans };
     planner(region, skeleton, &setup.job, setup.strategy).map_err(|e| plan_failure(&e))
+}
+
+fn skeleton_of(region: &Region) -> Result<Skeleton, Failure> {
+    Skeleton::build(region).map_err(|e| Failure::new(Exit::NotProven, "skeleton", e))
 }
 
 /// The setup for the largest of the tools at hand whose scallops are small enough.

@@ -12,8 +12,8 @@ use pocketry_motion::{FeedKind, Move, Program};
 pub(crate) fn of_job(name: &str, region: &Region, job: &Proven, with_skeleton: bool) -> Picture {
     let mut picture = Picture::of(region, name);
     picture.notes = notes(job);
-    if with_skeleton {
-        picture.add("skeleton", Look::Skeleton, skeleton::paths(&job.skeleton, region));
+    if let Some(skeleton) = job.skeleton.as_ref().filter(|_| with_skeleton) {
+        picture.add("skeleton", Look::Skeleton, skeleton::paths(skeleton, region));
     }
     add_loops(&mut picture, &job.plan);
     let links = |wanted: fn(LinkKind) -> bool| {

@@ -1,6 +1,6 @@
 //! What was typed becomes what is to be done: defaults, percentages and limits resolved, one [`Setup`] a region.
 
-use crate::args::{Boundary, CutArgs, MachineArgs, Stepover, StrategyArg, ToolArg};
+use crate::args::{Boundary, CutArgs, LoopEngine, MachineArgs, Stepover, StrategyArg, ToolArg};
 use crate::console::figure;
 use crate::failure::Failure;
 use crate::tool_profile::Section;
@@ -25,6 +25,8 @@ pub(crate) struct Setup {
     pub(crate) job: PocketJob,
     pub(crate) strategy: Strategy,
     pub(crate) unit: OutputUnit,
+    /// What makes the loops.
+    pub(crate) engine: LoopEngine,
     /// What the drawing's curves are.
     pub(crate) boundary: Boundary,
     /// Nobody has asked for a stepover: the quickest is chosen.
@@ -110,7 +112,13 @@ impl Settings {
             StrategyArg::Contour => Strategy::Contour,
             StrategyArg::Subpockets => Strategy::Subpockets,
         };
+        if self.cut.engine == LoopEngine::Pairwise && strategy == Strategy::Subpockets {
+            let message =
+                "the pair-wise engine knows no subpockets: drop --strategy subpockets or use --engine voronoi";
+            return Err(Failure::arguments(message));
+        }
         Ok(Setup {
+            engine: self.cut.engine,
             job,
             strategy,
             unit: if self.machine.inch { OutputUnit::Inch } else { OutputUnit::Millimetre },

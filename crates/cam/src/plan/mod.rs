@@ -21,6 +21,7 @@ mod cleanup;
 mod levels;
 mod moves;
 mod order;
+mod pairwise;
 mod profile;
 mod quickest;
 mod report;
@@ -28,6 +29,7 @@ mod strategy;
 mod subpockets;
 mod through;
 mod track;
+mod ways;
 
 use crate::job::PocketJob;
 use levels::Levels;
@@ -36,15 +38,17 @@ use pocketry_geom::Region;
 use pocketry_geom::offset::degenerate_slack;
 use pocketry_geom::skeleton::Skeleton;
 use pocketry_geom::skeleton::trees::Trees;
+use ways::SkeletonWays;
 
 pub(crate) use moves::{Writer, helix_of, ramp_of};
 pub(crate) use track::{Cut, Landing, Track};
 
 pub use cleanup::{Cleanup, Uncut};
+pub use pairwise::plan_pairwise;
 pub use profile::{inscribed_circle, plan_profile};
 pub use quickest::quickest;
 pub use report::{EntryKind, Group, Link, LinkKind, Plan, PlanError, PlannedLoop, Warning};
-pub use strategy::{Strategy, StrategyCost, plans, quickest_plans};
+pub use strategy::{Strategy, StrategyCost, pairwise_plans, plans, quickest_plans};
 pub use subpockets::plan_subpockets;
 
 /// More loops or passes than this are a slip of the finger.
@@ -72,10 +76,16 @@ pub(crate) fn plan_from(region: &Region, skeleton: &Skeleton, job: &PocketJob, f
         });
     }
     let radius = job.tool.radius();
+    let ways = SkeletonWays::new(skeleton);
+    let mut cleanups = Vec::new();
     // Loops no farther apart than the tool's radius leave nothing.
-    let leaves = job.cleanup && stepover > radius;
-    let cleanups = if leaves { cleanup::add(skeleton, &mut levels, &distances, radius) } else { Vec::new() };
-    let chains = Orderer::new(skeleton, &levels).chains();
+    if job.cleanup && stepover > radius {
+        let orderer = Orderer::new(&ways, &levels);
+        let pieces = cleanup::of_skeleton(&ways, &orderer, &distances, radius);
+        let gathered = cleanup::gather(&pieces, &orderer, radius);
+        cleanups = cleanup::add(&mut levels, gathered);
+    }
+    let chains = Orderer::new(&ways, &levels).chains();
     warnings.extend(report::unreached(skeleton, &trees, first, job.stock_to_leave));
     let mut plan = moves::write(&levels, &chains, job, first);
     plan.strategy = Strategy::Contour;

@@ -4,11 +4,11 @@
 //! on through the loops around all of them. An area without inner ones starts a group at its peak.
 
 use super::levels::{Area, Levels};
+use super::ways::{Summit, Ways};
 use super::{Cut, Landing, LinkKind};
-use crate::link::{Fans, medial_way, towards};
-use pocketry_geom::skeleton::{EdgeId, NONE, SiteId, Skeleton, VertexId};
+use pocketry_geom::skeleton::{EdgeId, NONE, SiteId};
 use pocketry_geom::tolerance::{LANDING, LANDING_SNAP};
-use pocketry_geom::{BBox, Point, Segment, Vec2};
+use pocketry_geom::{Point, Segment, Vec2};
 use std::collections::{BTreeSet, HashMap};
 
 /// One track of a chain.
@@ -33,9 +33,8 @@ pub(super) struct Chain {
 
 /// Puts tracks in order.
 pub(super) struct Orderer<'a> {
-    skeleton: &'a Skeleton,
+    ways: &'a dyn Ways,
     pub(super) levels: &'a Levels,
-    pub(super) fans: Fans<'a>,
     /// Every segment parallel to a site: `(level, site, track, segment)`, sorted.
     pieces: Vec<(usize, SiteId, u32, u32)>,
     /// Every place where a track crosses an edge: level and half-edge to track and segment.
@@ -47,7 +46,7 @@ pub(super) struct Orderer<'a> {
 }
 
 impl<'a> Orderer<'a> {
-    pub(super) fn new(skeleton: &'a Skeleton, levels: &'a Levels) -> Self {
+    pub(super) fn new(ways: &'a dyn Ways, levels: &'a Levels) -> Self {
         let mut pieces = Vec::new();
         let mut crossings = HashMap::new();
         for (t, track) in levels.tracks.iter().enumerate() {
@@ -57,16 +56,8 @@ impl<'a> Orderer<'a> {
             }
         }
         pieces.sort_unstable();
-        let size = skeleton.vertices().iter().fold(BBox::EMPTY, |b, v| b.with(v.point)).size();
-        Self {
-            skeleton,
-            levels,
-            fans: Fans::new(skeleton),
-            pieces,
-            crossings,
-            miss: LANDING * size,
-            snap: LANDING_SNAP * size,
-        }
+        let size = ways.size();
+        Self { ways, levels, pieces, crossings, miss: LANDING * size, snap: LANDING_SNAP * size }
     }
 
     /// All chains in the order they are cut.
@@ -116,17 +107,17 @@ impl<'a> Orderer<'a> {
 
     /// A chain whose entry is at the area's peak and whose first track is the one a step towards the wall meets.
     fn entered(&self, area: &Area, pocket: usize, left: &mut BTreeSet<u32>) -> Chain {
-        let peak = area.peak.map(|v| self.skeleton.vertices()[v as usize]);
-        let landing = area.peak.and_then(|v| self.step_off_peak(v, left));
+        let peak = self.ways.peak(area);
+        let landing = peak.as_ref().and_then(|p| self.step_off(p, left));
         let track = landing.map_or(area.tracks[0], |l| l.track);
         let start = self.levels.tracks[track as usize].start;
         let at = landing.unwrap_or(Landing { track, segment: 0, point: start });
         left.remove(&track);
-        let link = match (peak, landing) {
-            (Some(p), Some(l)) if p.point != l.point => vec![Segment::line(p.point, l.point)],
+        let link = match (&peak, landing) {
+            (Some(p), Some(l)) if p.at != l.point => vec![Segment::line(p.at, l.point)],
             _ => Vec::new(),
         };
-        let peak = peak.filter(|_| landing.is_some()).map(|p| (p.point, p.clearance));
+        let peak = peak.filter(|_| landing.is_some()).map(|p| (p.at, p.clearance));
         Chain { peak, steps: vec![self.step(at, link, LinkKind::Entry)], pocket }
     }
 
@@ -136,15 +127,11 @@ impl<'a> Orderer<'a> {
     }
 
     /// Where a step from a peak straight to one of its nearest walls meets one of the `tracks`.
-    fn step_off_peak(&self, peak: VertexId, tracks: &BTreeSet<u32>) -> Option<Landing> {
-        let vertex = self.skeleton.vertices()[peak as usize];
+    fn step_off(&self, peak: &Summit, tracks: &BTreeSet<u32>) -> Option<Landing> {
         let track = &self.levels.tracks[*tracks.first()? as usize];
-        self.fans.around(peak).find_map(|e| {
-            let site = self.skeleton.site(e);
-            let step = towards(self.skeleton.sites()[site as usize].shape, vertex.point);
-            self.landing(vertex.point + step * (vertex.clearance - track.distance), site, track.level, &|t| {
-                tracks.contains(&t)
-            })
+        peak.walls.iter().find_map(|&(site, step)| {
+            let at = peak.at + step * (peak.clearance - track.distance);
+            self.landing(at, site, track.level, &|t| tracks.contains(&t))
         })
     }
 
@@ -199,14 +186,9 @@ impl<'a> Orderer<'a> {
         Some(self.step(landing, link, LinkKind::SideStep))
     }
 
-    /// From a loop to another one of the same area, along the skeleton.
+    /// From a loop to another one of the same area.
     fn medial_step(&self, last: &Step, left: &BTreeSet<u32>) -> Option<Step> {
-        let track = &self.levels.tracks[last.track as usize];
-        let place = |e: EdgeId| self.crossings.get(&(track.level, e)).filter(|(t, _)| left.contains(t)).copied();
-        let (way, edge) = medial_way(&self.fans, &last.cut, track.distance, &|e| place(e).is_some())?;
-        let (found, segment) = place(edge)?;
-        let point = self.levels.tracks[found as usize].segments[segment as usize].start();
-        let landing = Landing { track: found, segment: segment as usize, point };
+        let (way, landing) = self.ways.across(self, last, left)?;
         Some(self.step(landing, way, LinkKind::Medial))
     }
 }

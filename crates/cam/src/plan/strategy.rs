@@ -1,6 +1,7 @@
 //! Which of the two tool paths.
 
-use super::{Plan, PlanError, plan, plan_subpockets, quickest};
+use super::quickest::quickest_of;
+use super::{Plan, PlanError, plan, plan_pairwise, plan_subpockets, quickest};
 use crate::job::PocketJob;
 use pocketry_geom::Region;
 use pocketry_geom::skeleton::Skeleton;
@@ -89,6 +90,20 @@ pub fn quickest_plans(
         Strategy::Auto => vec![quickest(region, skeleton, job)?, plan_subpockets(region, skeleton, &widest)?],
     };
     Ok(costed(plans, job))
+}
+
+/// The plan from the pair-wise engine's offsets with its cost: at the job's stepover, or at the quickest one.
+///
+/// # Errors
+/// As [`plan_pairwise`].
+pub fn pairwise_plans(
+    region: &Region,
+    job: &PocketJob,
+    any_stepover: bool,
+) -> Result<Vec<(Plan, StrategyCost)>, PlanError> {
+    let planned = |job: &PocketJob| plan_pairwise(region, job);
+    let plan = if any_stepover { quickest_of(job, planned)? } else { planned(job)? };
+    Ok(costed(vec![plan], job))
 }
 
 fn costed(plans: Vec<Plan>, job: &PocketJob) -> Vec<(Plan, StrategyCost)> {

@@ -14,6 +14,7 @@
 
 use super::levels::{Area, Levels};
 use super::order::Orderer;
+use super::ways::SkeletonWays;
 use super::{Limits, Plan, PlanError, Strategy, Track, Warning, distances, limits, moves, report};
 use crate::job::PocketJob;
 use pocketry_geom::Region;
@@ -41,7 +42,8 @@ pub fn plan_subpockets(region: &Region, skeleton: &Skeleton, job: &PocketJob) ->
         let largest = 2.0 * (highest - job.stock_to_leave);
         return Err(PlanError::DoesNotFit { diameter: job.tool.diameter, largest });
     }
-    let orderer = Orderer::new(subpockets.skeleton(), &levels);
+    let ways = SkeletonWays::new(subpockets.skeleton());
+    let orderer = Orderer::new(&ways, &levels);
     let chains = orderer.subpocket_chains(&subpockets, &roots, first, longest_detour(job));
     warnings.extend(report::unreached(skeleton, subpockets.trees(), first, job.stock_to_leave));
     let mut plan = moves::write(&levels, &chains, job, first);

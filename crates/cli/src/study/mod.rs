@@ -3,7 +3,7 @@
 
 mod chart;
 
-use crate::args::StudyArgs;
+use crate::args::{LoopEngine, StudyArgs};
 use crate::console::{self, figure};
 use crate::failure::{Exit, Failure};
 use crate::output::{Outputs, print};
@@ -39,16 +39,18 @@ pub(crate) fn run(args: &StudyArgs) -> Result<(), Failure> {
         job: PocketJob::for_diameter(2.0 * radius),
         strategy: Strategy::Contour,
         unit: OutputUnit::Millimetre,
+        engine: args.engine,
         boundary: args.boundary,
         any_stepover: false,
         profile: None,
     };
     job::to_walls(&mut drawing, &setup)?;
-    let skeleton = Skeleton::build(&drawing.region).map_err(|e| Failure::new(Exit::NotProven, "skeleton", e))?;
+    let build = || Skeleton::build(&drawing.region).map_err(|e| Failure::new(Exit::NotProven, "skeleton", e));
+    let skeleton = (setup.engine == LoopEngine::Voronoi).then(build).transpose()?;
     let mut rows = Vec::new();
     for stepover in args.stepovers.values(setup.job.tool.diameter) {
         for cleanup in [true, false] {
-            rows.push(row(&drawing, &skeleton, &setup, stepover, cleanup)?);
+            rows.push(row(&drawing, skeleton.as_ref(), &setup, stepover, cleanup)?);
         }
     }
     let mut outputs = Outputs::default();
@@ -66,9 +68,19 @@ fn title(drawing: &Drawing, setup: &Setup) -> String {
     format!("{}, tool {} mm", drawing.id.as_deref().unwrap_or("stepover study"), figure(setup.job.tool.diameter))
 }
 
-fn row(drawing: &Drawing, skeleton: &Skeleton, setup: &Setup, stepover: f64, cleanup: bool) -> Result<Row, Failure> {
+fn row(
+    drawing: &Drawing,
+    skeleton: Option<&Skeleton>,
+    setup: &Setup,
+    stepover: f64,
+    cleanup: bool,
+) -> Result<Row, Failure> {
     let setup = Setup { job: PocketJob { stepover, cleanup, ..setup.job.clone() }, ..setup.clone() };
-    let plan = pocketry_cam::plan(&drawing.region, skeleton, &setup.job).map_err(|e| job::plan_failure(&e))?;
+    let plan = match skeleton {
+        Some(skeleton) => pocketry_cam::plan(&drawing.region, skeleton, &setup.job),
+        None => pocketry_cam::plan_pairwise(&drawing.region, &setup.job),
+    };
+    let plan = plan.map_err(|e| job::plan_failure(&e))?;
     let figures = plan.program.figures(&setup.job.feeds, &setup.job.stock);
     let text = job::write(&plan, &figures, &setup, "study")?;
     let proof = job::prove(drawing, &setup, &text)?;

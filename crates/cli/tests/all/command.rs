@@ -235,3 +235,21 @@ fn subpockets_are_written_in_every_form() {
     assert!(subpockets.len() > 1 && subpockets.iter().all(|s| s["area"].as_f64().unwrap() > 0.0));
     assert!(file["passes"].as_array().unwrap().iter().all(|p| p["width"].as_f64().unwrap() > 0.0));
 }
+
+#[test]
+fn the_pairwise_engine_proves_its_programs_at_wide_stepovers() {
+    let folder = Sandbox::new();
+    let program = folder.path("a.ngc");
+    let run = |more: &[&str]| {
+        let typed = ["pocket", &bracket(), "--tool", "6", "--engine", "pairwise", "-o", &program];
+        pocketry().args(typed).args(more).output().unwrap()
+    };
+    for stepover in ["40%", "75%", "5.7mm", "98%"] {
+        let proven = run(&["--stepover", stepover]);
+        assert_eq!(proven.status.code(), Some(0), "{stepover}: {}", stderr(&proven));
+    }
+    let uncut = run(&["--stepover", "98%", "--no-cleanup"]);
+    assert_ne!(uncut.status.code(), Some(0), "loops alone leave something");
+    assert!(stderr(&uncut).contains("uncut"), "{}", stderr(&uncut));
+    assert!(stderr(&run(&["--strategy", "subpockets"])).contains("--engine voronoi"));
+}

@@ -19,7 +19,7 @@ use crate::tolerance::{FIT_SLACK, FIT_SLACK_SHARE};
 
 pub use bisector::BisectorEngine;
 pub use outward::outward;
-pub use pairwise::{Interference, PairwiseEngine, PairwiseOffset};
+pub use pairwise::{Interference, PairwiseEngine, PairwiseOffset, PairwiseOffsetter};
 pub use voronoi::{EdgeCurve, VoronoiEngine, VoronoiOffsetter, upward};
 
 /// An algorithm that offsets regions.

@@ -30,7 +30,7 @@ pub(crate) struct Forest {
 
 impl Forest {
     /// The trees from these places of a piece. Places that no root leads to are left out.
-    pub(crate) fn new<A>(piece: &Piece<A>, roots: &[u32]) -> Self {
+    pub(crate) fn new(piece: &Piece, roots: &[u32]) -> Self {
         let nodes = piece.places.iter().map(|&place| Node { place, parent: NONE, way: None }).collect();
         let mut forest = Self { nodes, order: Vec::new(), roots: roots.to_vec() };
         let around = around(piece);
@@ -91,7 +91,7 @@ impl Forest {
 }
 
 /// For each place the ways that end there, and their other ends.
-fn around<A>(piece: &Piece<A>) -> Vec<Vec<(u32, u32)>> {
+fn around(piece: &Piece) -> Vec<Vec<(u32, u32)>> {
     let mut around = vec![Vec::new(); piece.places.len()];
     for (w, way) in piece.ways.iter().enumerate() {
         let [a, b] = way.ends;

@@ -11,7 +11,7 @@
 //! a neck ([`Uncut`]). The ends at `d + r` are where the clean-up curve comes to a point.
 //!
 //! 1. A piece becomes a graph of places joined by lines and arcs ([`Piece`]): all that an engine has to provide (`pieces`
-//!    for the skeleton).
+//!    for the skeleton, `pairwise::ranges` for the pair-wise engine). The rest is the same for all (`gather`).
 //! 2. Each place is led to its nearest root: the degenerate vertices, or a place of the outer loop where there are none
 //!    (`forest`).
 //! 3. From the tips of each tree the path is cut back as far as what lies behind stays within `r` of its end (`prune`).
@@ -28,18 +28,21 @@
 //! decide, but for less than a tenth of what the proof lets pass.
 
 mod forest;
+mod gather;
 mod pieces;
 mod prune;
 #[cfg(test)]
 mod tests;
 
 use super::levels::Levels;
-use super::order::Orderer;
 use super::track::Insertion;
 use pocketry_geom::offset::degenerate_slack;
-use pocketry_geom::skeleton::Skeleton;
+use pocketry_geom::skeleton::SiteId;
 use pocketry_geom::{Point, Segment};
 use serde::Serialize;
+
+pub(super) use gather::{CANDIDATES, Gathered, gather};
+pub(super) use pieces::of_skeleton;
 
 /// What kind of place would stay uncut.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -79,17 +82,29 @@ pub(crate) struct Way {
     pub(crate) segment: Segment,
 }
 
-/// An interfering range between two distances, as a graph on which the tool may travel and which answers for all that
-/// might be uncut there.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Piece<A> {
-    pub(crate) places: Vec<Place>,
-    pub(crate) ways: Vec<Way>,
-    /// The degenerate vertices: places on the inner loop, with what the engine knows them by.
-    pub(crate) roots: Vec<(u32, A)>,
+/// A way out of a place: straight from it to one of its nearest walls.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Exit {
+    pub(crate) place: u32,
+    /// The wall.
+    pub(crate) site: SiteId,
+    /// Where it meets the outer loop.
+    pub(crate) at: Point,
 }
 
-impl<A> Piece<A> {
+/// An interfering range between two distances, as a graph on which the tool may travel and which answers for all that
+/// might be uncut there. It is all that an engine has to provide.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Piece {
+    pub(crate) places: Vec<Place>,
+    pub(crate) ways: Vec<Way>,
+    /// The degenerate vertices: places on the inner loop, with its track and the segment of it that starts there.
+    pub(crate) roots: Vec<(u32, (u32, u32))>,
+    /// Where there are no roots, ways to the outer loop to choose from.
+    pub(crate) exits: Vec<Exit>,
+}
+
+impl Piece {
     pub(crate) fn kind(&self) -> Uncut {
         match self.roots.len() {
             0 => Uncut::Center,
@@ -99,20 +114,16 @@ impl<A> Piece<A> {
     }
 }
 
-/// Adds clean-up paths to the loops at these distances for a tool of this `radius`.
-pub(super) fn add(skeleton: &Skeleton, levels: &mut Levels, distances: &[f64], radius: f64) -> Vec<Cleanup> {
-    let pieces::Gathered { insertions, cleanups } = {
-        let orderer = Orderer::new(skeleton, levels);
-        pieces::gather(skeleton, &orderer, distances, radius)
-    };
+/// Adds clean-up paths to the loops.
+pub(super) fn add(levels: &mut Levels, gathered: Gathered) -> Vec<Cleanup> {
     let mut of_track: Vec<Vec<Insertion>> = vec![Vec::new(); levels.tracks.len()];
-    for (track, insertion) in insertions {
+    for (track, insertion) in gathered.insertions {
         of_track[track as usize].push(insertion);
     }
     for (track, insertions) in levels.tracks.iter_mut().zip(of_track) {
         track.insert(insertions);
     }
-    cleanups
+    gathered.cleanups
 }
 
 /// What a tool of this radius is trusted to cut about its axis: a slack for chords and rounding is left.

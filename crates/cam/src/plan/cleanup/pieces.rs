@@ -1,45 +1,35 @@
-//! Step 1 on the skeleton: the pieces of it between two distances, and where their paths hang on loops.
+//! Step 1 on the skeleton: the pieces of it between two distances.
 
-use super::forest::Forest;
-use super::prune::tours;
-use super::{Cleanup, Piece, Place, Way, trusted};
-use crate::link::{fitted, towards};
+use super::{CANDIDATES, Exit, Piece, Place, Way, trusted};
+use crate::link::{Fans, towards};
 use crate::plan::order::Orderer;
-use crate::plan::track::Insertion;
+use crate::plan::ways::SkeletonWays;
+use pocketry_geom::Segment;
 use pocketry_geom::offset::{EdgeCurve, degenerate_slack, upward};
 use pocketry_geom::skeleton::trees::DisjointSets;
 use pocketry_geom::skeleton::{EdgeId, SiteId, SiteShape, Skeleton, VertexId};
 use pocketry_geom::tolerance::{CLEANUP_STEP, SPOKE_RATE};
-use pocketry_geom::{Point, Segment};
 use std::collections::HashMap;
 
-/// Places of a centre that are tried as the one where its path begins.
-const CANDIDATES: usize = 12;
-
-/// How far arcs may leave the chords of a path, as a share of how far the chords may leave the skeleton.
-const FIT_SHARE: f64 = 0.25;
-
-/// What clean-up takes.
-#[derive(Debug, Default)]
-pub(super) struct Gathered {
-    pub(super) insertions: Vec<(u32, Insertion)>,
-    pub(super) cleanups: Vec<Cleanup>,
-}
-
-/// All clean-up paths between and inside the loops at these distances.
-pub(super) fn gather(skeleton: &Skeleton, orderer: &Orderer<'_>, distances: &[f64], radius: f64) -> Gathered {
-    let radius = trusted(radius);
+/// All pieces between and inside the loops at these distances, with the number of the outer loops' distance.
+pub(crate) fn of_skeleton(
+    ways: &SkeletonWays<'_>,
+    orderer: &Orderer<'_>,
+    distances: &[f64],
+    radius: f64,
+) -> Vec<(usize, Piece)> {
+    let (skeleton, radius) = (ways.skeleton, trusted(radius));
     let mut parts = parts(skeleton, distances, radius);
     parts.sort_unstable_by_key(|p| p.0);
-    let mut gathered = Gathered::default();
+    let mut pieces = Vec::new();
     for same in parts.chunk_by(|a, b| a.0 == b.0) {
         let level = same[0].0;
         let high = distances.get(level + 1).copied().unwrap_or(f64::INFINITY);
-        let range =
-            Range { skeleton, orderer, level, base: distances[level], low: distances[level] + radius, high, radius };
-        range.gather(same, &mut gathered);
+        let (base, low) = (distances[level], distances[level] + radius);
+        let range = Range { skeleton, fans: &ways.fans, orderer, level, base, low, high, radius };
+        pieces.extend(range.pieces(same).into_iter().map(|named| (level, range.with_exits(named))));
     }
-    gathered
+    pieces
 }
 
 /// A part of the skeleton.
@@ -103,6 +93,7 @@ struct Link {
 /// The range between the loops at `base` and those at `high`.
 struct Range<'a> {
     skeleton: &'a Skeleton,
+    fans: &'a Fans<'a>,
     orderer: &'a Orderer<'a>,
     /// Number of the outer loops' distance.
     level: usize,
@@ -115,28 +106,11 @@ struct Range<'a> {
 /// A piece with the skeleton's names for its places.
 #[derive(Default)]
 struct Named {
-    piece: Piece<(u32, u32)>,
+    piece: Piece,
     places: HashMap<Node, u32>,
 }
 
 impl Range<'_> {
-    fn gather(&self, parts: &[(usize, Part)], gathered: &mut Gathered) {
-        for named in self.pieces(parts) {
-            let found = if named.piece.roots.is_empty() {
-                self.center(&named).into_iter().collect()
-            } else {
-                self.rooted(&named.piece)
-            };
-            for (track, mut insertion) in found {
-                insertion.tour = fitted(&insertion.tour, FIT_SHARE * degenerate_slack(self.radius));
-                let length = insertion.tour.iter().map(Segment::length).sum();
-                let start = insertion.tour[0].start();
-                gathered.cleanups.push(Cleanup { kind: named.piece.kind(), start, length });
-                gathered.insertions.push((track, insertion));
-            }
-        }
-    }
-
     /// The connected pieces.
     fn pieces(&self, parts: &[(usize, Part)]) -> Vec<Named> {
         let mut numbers: HashMap<Node, u32> = HashMap::new();
@@ -186,7 +160,7 @@ impl Range<'_> {
     /// A vertex in the range, or on the inner loop if it lies just there.
     fn node_of(&self, v: VertexId) -> Node {
         let at_top = self.skeleton.vertices()[v as usize].clearance >= self.high;
-        let up = at_top.then(|| self.orderer.fans.around(v).find_map(|e| self.crossing(upward(self.skeleton, e))));
+        let up = at_top.then(|| self.fans.around(v).find_map(|e| self.crossing(upward(self.skeleton, e))));
         up.flatten().map_or(Node::Vertex(v), |(track, segment)| Node::Top(track, segment))
     }
 
@@ -273,52 +247,34 @@ impl Range<'_> {
         hollow(e) || hollow(Skeleton::twin(e))
     }
 
-    /// The paths of a piece that hangs on inner loops.
-    fn rooted(&self, piece: &Piece<(u32, u32)>) -> Vec<(u32, Insertion)> {
-        let roots: Vec<u32> = piece.roots.iter().map(|r| r.0).collect();
-        let tours = tours(&Forest::new(piece, &roots), self.radius);
-        let hung = |(&(_, (track, segment)), tour): (&(u32, (u32, u32)), Vec<Segment>)| {
-            (track, Insertion { segment: segment as usize, at: None, tour })
-        };
-        piece.roots.iter().zip(tours).map(hung).filter(|(_, i)| !i.tour.is_empty()).collect()
+    /// The piece, with ways out where it hangs on no inner loop.
+    fn with_exits(&self, named: Named) -> Piece {
+        let Named { mut piece, places } = named;
+        if piece.roots.is_empty() {
+            let mut nodes: Vec<(u32, Node)> = places.into_iter().map(|(node, k)| (k, node)).collect();
+            nodes.sort_unstable_by_key(|n| n.0);
+            let stride = nodes.len().div_ceil(CANDIDATES).max(1);
+            for &(place, node) in nodes.iter().step_by(stride) {
+                self.add_exits(&mut piece, place, node);
+            }
+        }
+        piece
     }
 
-    /// The path of a piece without inner loops: from the outer one, straight away from the wall, and from there.
-    fn center(&self, named: &Named) -> Option<(u32, Insertion)> {
-        let mut nodes: Vec<(u32, Node)> = named.places.iter().map(|(&node, &k)| (k, node)).collect();
-        nodes.sort_unstable_by_key(|n| n.0);
-        let stride = nodes.len().div_ceil(CANDIDATES).max(1);
-        let tried = nodes.iter().step_by(stride).filter_map(|&(k, node)| self.center_from(named, k, node));
-        let length = |i: &Insertion| i.tour.iter().map(Segment::length).sum::<f64>();
-        tried.min_by(|a, b| length(&a.1).total_cmp(&length(&b.1))).filter(|(_, i)| !i.tour.is_empty())
-    }
-
-    /// The same, entered at one of its places.
-    fn center_from(&self, named: &Named, place: u32, node: Node) -> Option<(u32, Insertion)> {
-        let at = named.piece.places[place as usize].at;
+    fn add_exits(&self, piece: &mut Piece, place: u32, node: Node) {
+        let from = piece.places[place as usize].at;
         let (sites, clearance): (Vec<SiteId>, f64) = match node {
             Node::Vertex(v) => {
-                let around = self.orderer.fans.around(v).map(|e| self.skeleton.site(e));
+                let around = self.fans.around(v).map(|e| self.skeleton.site(e));
                 (around.collect(), self.skeleton.vertices()[v as usize].clearance)
             }
             Node::Low(e) => (vec![self.skeleton.site(e), self.skeleton.site(Skeleton::twin(e))], self.low),
-            Node::Top(..) => return None,
+            Node::Top(..) => return,
         };
-        let (track, segment, foot) = sites.into_iter().find_map(|site| self.landing(at, clearance, site))?;
-        let mut piece = Piece { places: named.piece.places.clone(), ways: named.piece.ways.clone(), roots: Vec::new() };
-        let root = piece.places.len() as u32;
-        piece.places.push(Place { at: foot, reach: -1.0 });
-        piece.ways.push(Way { ends: [root, place], segment: Segment::line(foot, at) });
-        piece.roots.push((root, ()));
-        let tour = tours(&Forest::new(&piece, &[root]), self.radius).pop()?;
-        Some((track, Insertion { segment, at: Some(foot), tour }))
-    }
-
-    /// Where a step from a place of the skeleton straight towards one of its nearest walls meets the outer loop.
-    fn landing(&self, at: Point, clearance: f64, site: SiteId) -> Option<(u32, usize, Point)> {
-        let step = towards(self.skeleton.sites()[site as usize].shape, at);
-        let landing = self.orderer.landing(at + step * (clearance - self.base), site, self.level, &|_| true)?;
-        Some((landing.track, landing.segment, landing.point))
+        piece.exits.extend(sites.into_iter().map(|site| {
+            let step = towards(self.skeleton.sites()[site as usize].shape, from);
+            Exit { place, site, at: from + step * (clearance - self.base) }
+        }));
     }
 }
 

@@ -4,7 +4,7 @@ use super::{Piece, Place, Uncut, Way};
 use pocketry_geom::{Point, Segment, point};
 
 /// Places along the x axis with their reach, joined in a row.
-fn row(places: &[(f64, f64)], roots: &[u32]) -> Piece<()> {
+fn row(places: &[(f64, f64)], roots: &[u32]) -> Piece {
     let place = |&(x, reach): &(f64, f64)| Place { at: point(x, 0.0), reach };
     let way = |k: usize| Way {
         ends: [k as u32, k as u32 + 1],
@@ -13,11 +13,12 @@ fn row(places: &[(f64, f64)], roots: &[u32]) -> Piece<()> {
     Piece {
         places: places.iter().map(place).collect(),
         ways: (1..places.len()).map(|k| way(k - 1)).collect(),
-        roots: roots.iter().map(|&r| (r, ())).collect(),
+        roots: roots.iter().map(|&r| (r, (0, 0))).collect(),
+        exits: Vec::new(),
     }
 }
 
-fn lengths(piece: &Piece<()>, radius: f64) -> Vec<f64> {
+fn lengths(piece: &Piece, radius: f64) -> Vec<f64> {
     let roots: Vec<u32> = piece.roots.iter().map(|r| r.0).collect();
     let tours = tours(&Forest::new(piece, &roots), radius);
     tours.iter().map(|t| t.iter().map(Segment::length).sum()).collect()

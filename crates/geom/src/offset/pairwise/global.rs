@@ -7,7 +7,7 @@
 use super::crossings::{Crossing, crossings};
 use super::local::LocalRange;
 use super::raw::{RawCurves, part};
-use super::{Interference, PairwiseOffset, Source};
+use super::{Interference, PairwiseOffset, PairwiseOffsetter};
 use crate::contour::Contour;
 use crate::offset::{Offset, OffsetLoop};
 use crate::point::Point;
@@ -35,7 +35,7 @@ struct Event {
 pub(super) fn loops(
     curves: &RawCurves,
     d: f64,
-    source: &Source<'_>,
+    source: &PairwiseOffsetter<'_>,
     ranges: &[LocalRange],
 ) -> Result<PairwiseOffset, String> {
     let crossings = crossings(curves);
@@ -71,7 +71,7 @@ struct Judge<'a> {
     crossings: &'a [Crossing],
     events: &'a [Event],
     d: f64,
-    source: &'a Source<'a>,
+    source: &'a PairwiseOffsetter<'a>,
     tolerance: f64,
 }
 

@@ -12,7 +12,7 @@
 //! 5. Valid runs join at the crossings to loops.
 //!
 //! **Exactness.** Segments stay lines, and reflex vertices get true arcs: the curves are the true offset, not chords of it.
-//! Arcs *of the region* are replaced by chords first, within [`PairwiseEngine::chord_tolerance`].
+//! Arcs *of the region* are replaced by chords first, within [`PairwiseEngine::chord_tolerance`] and on the pocket's side.
 //!
 //! **Robustness.** Straight pieces cross by exact predicates; what arcs do is computed, and may contradict itself where a
 //! curve passes through a joint of another. Then a valid run leads nowhere: the offset is made anew at a distance larger by [`PERTURBATION`] of the region's size, a few times at most, and refused with an
@@ -23,6 +23,7 @@
 //! an intersection element by element until the interference ends; here the next intersection ends it.
 
 mod chains;
+mod chords;
 mod crossings;
 mod element;
 mod global;
@@ -33,11 +34,11 @@ mod tests;
 mod walls;
 
 use super::{Degenerate, Offset, OffsetEngine, OffsetError, OffsetOptions, check_distance, degenerate_slack};
-use crate::contour::Contour;
+use crate::distance::Boundary;
 use crate::point::Point;
 use crate::region::Region;
-use crate::segment::Segment;
-use crate::skeleton::SiteId;
+use crate::segment::Line;
+use crate::skeleton::{SiteId, SiteShape};
 use crate::tolerance::pairwise::{ATTEMPTS, PERTURBATION};
 use element::Element;
 use raw::RawCurves;
@@ -86,9 +87,15 @@ impl PairwiseEngine {
             check_distance(d)?;
         }
         let least = distances.iter().copied().fold(f64::INFINITY, f64::min);
-        let straight = straightened(region, Self::chord_tolerance(least));
-        let source = Source::new(straight.as_ref().unwrap_or(region));
-        distances.iter().map(|&d| source.offset(d)).collect()
+        let straight = Self::straightened(region, least);
+        let offsetter = PairwiseOffsetter::new(straight.as_ref().unwrap_or(region));
+        distances.iter().map(|&d| offsetter.offset(d)).collect()
+    }
+
+    /// The region with chords for arcs, within the tolerance for offsets at distance `d` (mm) and nowhere larger; `None` where
+    /// it has no arcs.
+    pub fn straightened(region: &Region, d: f64) -> Option<Region> {
+        chords::chorded(region, Self::chord_tolerance(d))
     }
 }
 
@@ -106,31 +113,9 @@ impl OffsetEngine for PairwiseEngine {
     }
 }
 
-/// The region with chords for arcs; `None` where it has no arcs.
-fn straightened(region: &Region, tolerance: f64) -> Option<Region> {
-    region.segments().any(|s| matches!(s, Segment::Arc(_))).then(|| {
-        let straight = |contour: &Contour| {
-            let mut points = Vec::new();
-            for s in &contour.segments {
-                // A full chord for nearly a turn would be none.
-                let [a, b] = if matches!(s, Segment::Arc(_)) { halves(s) } else { [Some(*s), None] };
-                a.iter().chain(&b).for_each(|s| s.flatten(tolerance, &mut points));
-            }
-            points.dedup();
-            let lines = (0..points.len()).map(|k| Segment::line(points[k], points[(k + 1) % points.len()]));
-            Contour::new(lines.collect())
-        };
-        Region::from_parts_unchecked(region.contours().iter().map(straight).collect(), region.parents().to_vec())
-    })
-}
-
-fn halves(s: &Segment) -> [Option<Segment>; 2] {
-    let (a, b) = s.split_at(s.at(0.5));
-    [Some(a), Some(b)]
-}
-
-/// A region of lines, ready to be offset.
-struct Source<'a> {
+/// A region of lines, ready to be offset many times.
+#[derive(Clone, Debug)]
+pub struct PairwiseOffsetter<'a> {
     /// The elements of all contours, by number.
     elements: Vec<Element>,
     /// For each contour its first element; one more at the end.
@@ -139,8 +124,9 @@ struct Source<'a> {
     size: f64,
 }
 
-impl<'a> Source<'a> {
-    fn new(region: &'a Region) -> Self {
+impl<'a> PairwiseOffsetter<'a> {
+    /// Finds the elements of a region, whose arcs, if any, count as their chords ([`PairwiseEngine::straightened`]).
+    pub fn new(region: &'a Region) -> Self {
         let mut elements = Vec::with_capacity(region.edge_count() + region.edge_count() / 2);
         let mut bounds = vec![0];
         for contour in region.contours() {
@@ -150,7 +136,23 @@ impl<'a> Source<'a> {
         Self { elements, bounds, walls: Walls::new(region), size: region.bbox().size() }
     }
 
-    fn offset(&self, distance: f64) -> Result<PairwiseOffset, OffsetError> {
+    /// What a site of its offsets is: a line or a reflex vertex.
+    pub fn shape(&self, site: SiteId) -> SiteShape {
+        let e = &self.elements[site as usize];
+        if e.is_vertex() { SiteShape::Point(e.start) } else { SiteShape::Line(Line::new(e.start, e.end)) }
+    }
+
+    /// The region's boundary.
+    pub fn boundary(&self) -> &Boundary {
+        self.walls.boundary()
+    }
+
+    /// The offset at a distance (mm), with its interfering ranges.
+    ///
+    /// # Errors
+    /// Where the distance is not a positive number, or the raw curves contradict themselves.
+    pub fn offset(&self, distance: f64) -> Result<PairwiseOffset, OffsetError> {
+        check_distance(distance)?;
         let mut reason = String::new();
         for attempt in 0..ATTEMPTS {
             let d = distance + f64::from(attempt) * PERTURBATION * self.size;

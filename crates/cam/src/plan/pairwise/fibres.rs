@@ -1,0 +1,87 @@
+//! Fibres: straight ways from a wall to the place of the skeleton whose disk touches the wall there.
+
+use pocketry_geom::distance::Boundary;
+use pocketry_geom::offset::PairwiseOffsetter;
+use pocketry_geom::skeleton::{SiteId, SiteShape};
+use pocketry_geom::{Point, Segment, Vec2};
+
+/// Steps of the search for a disk: it converges like Newton's method, in three or four.
+const STEPS: usize = 64;
+
+/// The end of a fibre.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Fibre {
+    /// The wall.
+    pub(super) site: SiteId,
+    /// Where it begins.
+    pub(super) foot: Point,
+    /// Unit vector away from the wall.
+    pub(super) normal: Vec2,
+    /// Where it ends.
+    pub(super) end: Point,
+    /// Clearance there, mm.
+    pub(super) clearance: f64,
+    /// Whether it stands for the fibre that comes from the other wall, too: of both, that of the wall with the lower number.
+    pub(super) first: bool,
+}
+
+/// Finds fibres.
+pub(super) struct Fibres<'a> {
+    offsetter: &'a PairwiseOffsetter<'a>,
+    walls: &'a Boundary,
+    /// Clearances of no interest below and above, mm.
+    low: f64,
+    high: f64,
+}
+
+impl<'a> Fibres<'a> {
+    pub(super) fn new(offsetter: &'a PairwiseOffsetter<'a>, low: f64, high: f64) -> Self {
+        Self { offsetter, walls: offsetter.boundary(), low, high }
+    }
+
+    /// The fibre through a point of the offset at the lower clearance that belongs to a site.
+    pub(super) fn through(&self, at: Point, site: SiteId) -> Fibre {
+        let normal = match self.offsetter.shape(site) {
+            SiteShape::Line(l) => l.direction().left(),
+            SiteShape::Point(p) => (at - p).normalized(),
+            SiteShape::Arc(a) => (a.center - at).normalized(),
+        };
+        let foot = at - normal * self.low;
+        // The largest disk that touches the wall at the foot and has nothing in it, from above.
+        let (mut clearance, mut other) = (self.high, None);
+        for _ in 0..STEPS {
+            let center = foot + normal * clearance;
+            let bound = clearance - self.slack();
+            let Some((wall, _)) = self.walls.index().nearest_within(center, bound) else { break };
+            let touching = touching(&self.walls.segments()[wall], foot, normal, center);
+            other = Some(wall);
+            if touching >= clearance {
+                break;
+            }
+            clearance = touching.max(self.low);
+            if touching <= self.low {
+                break;
+            }
+        }
+        let end = foot + normal * clearance;
+        let own = self.walls.index().nearest(foot).map(|n| n.0);
+        Fibre { site, foot, normal, end, clearance, first: other.is_none() || own <= other }
+    }
+
+    fn slack(&self) -> f64 {
+        0.01 * pocketry_geom::offset::degenerate_slack(self.low)
+    }
+}
+
+/// Radius of the disk that touches a wall at `foot` from the side of `normal`, and the other wall where that is nearest to
+/// `center`.
+fn touching(wall: &Segment, foot: Point, normal: Vec2, center: Point) -> f64 {
+    let nearest = wall.nearest(center);
+    let inside = matches!(wall, Segment::Line(l) if nearest != l.start && nearest != l.end);
+    if inside {
+        let across = (center - nearest).normalized();
+        return (foot - nearest).dot(across) / (1.0 - normal.dot(across));
+    }
+    let to = nearest - foot;
+    to.length_squared() / (2.0 * normal.dot(to))
+}

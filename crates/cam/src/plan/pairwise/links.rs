@@ -1,0 +1,178 @@
+//! Fibres' ends joined to pieces.
+
+use super::fibres::Fibre;
+use super::ranges::bits;
+use crate::plan::cleanup::{CANDIDATES, Exit, Piece, Place, Way};
+use pocketry_geom::skeleton::trees::DisjointSets;
+use pocketry_geom::{Point, Segment};
+use std::collections::{BTreeMap, HashMap, HashSet};
+
+/// Rounds of joining: each at least halves the number of parts that lie close to others.
+const ROUNDS: usize = 16;
+
+/// Share of the allowance within which places are merged.
+const MERGED: f64 = 0.125;
+
+/// A clean-up curve with its fibres in order.
+pub(super) struct Curve {
+    pub(super) fibres: Vec<Fibre>,
+    /// The degenerate vertices where it starts and ends.
+    pub(super) roots: [Option<Point>; 2],
+    /// Whether the last fibre is followed by the first.
+    pub(super) closed: bool,
+}
+
+/// Gathers places and ways.
+pub(super) struct Builder {
+    low: f64,
+    /// Added to every reach.
+    allowance: f64,
+    /// The longest way that may join two parts: no wall is as near to them.
+    gap: f64,
+    places: Vec<Place>,
+    /// The fibre of each place that has one.
+    fibres: Vec<Option<Fibre>>,
+    ways: Vec<Way>,
+    /// Places where chains end.
+    ends: Vec<u32>,
+    /// Degenerate vertices that curves start from or end at.
+    wanted: HashSet<(u64, u64)>,
+    roots: Vec<(u32, Point)>,
+}
+
+impl Builder {
+    pub(super) fn new(low: f64, allowance: f64, radius: f64) -> Self {
+        let (places, fibres, ways, ends) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        Self { low, allowance, gap: radius, places, fibres, ways, ends, wanted: HashSet::new(), roots: Vec::new() }
+    }
+
+    fn add_place(&mut self, at: Point, clearance: f64, fibre: Option<Fibre>) -> u32 {
+        let reach = (clearance - self.low).max(0.0) + self.allowance;
+        self.places.push(Place { at, reach });
+        self.fibres.push(fibre);
+        self.places.len() as u32 - 1
+    }
+
+    fn join(&mut self, a: u32, b: u32) {
+        let [from, to] = [a, b].map(|k| self.places[k as usize].at);
+        self.ways.push(Way { ends: [a, b], segment: Segment::line(from, to) });
+    }
+
+    /// The chains of those fibres of a curve that count.
+    pub(super) fn add(&mut self, curve: &Curve) {
+        self.wanted.extend(curve.roots.iter().flatten().map(|&p| bits(p)));
+        let mut chain: Option<u32> = None;
+        let begun = self.places.len() as u32;
+        for fibre in &curve.fibres {
+            if !fibre.first {
+                self.ends.extend(chain.take());
+                continue;
+            }
+            match chain {
+                Some(k) if self.places[k as usize].at.distance(fibre.end) <= MERGED * self.allowance => {
+                    let reach = (fibre.clearance - self.low).max(0.0) + self.allowance;
+                    self.places[k as usize].reach = self.places[k as usize].reach.max(reach);
+                }
+                _ => {
+                    let next = self.add_place(fibre.end, fibre.clearance, Some(*fibre));
+                    match chain {
+                        Some(k) => self.join(k, next),
+                        None => self.ends.push(next),
+                    }
+                    chain = Some(next);
+                }
+            }
+        }
+        self.ends.extend(chain);
+        let ring = curve.closed && curve.fibres.iter().all(|f| f.first);
+        if let Some(last) = chain.filter(|&last| ring && last > begun + 1) {
+            self.join(last, begun);
+        }
+    }
+
+    /// A degenerate vertex, which counts if a curve starts or ends there.
+    pub(super) fn add_root(&mut self, at: Point, clearance: f64) {
+        if self.wanted.remove(&bits(at)) {
+            let place = self.add_place(at, clearance, None);
+            self.roots.push((place, at));
+            self.ends.push(place);
+        }
+    }
+
+    /// The pieces; `starts` says which segment of an inner loop starts at a degenerate vertex, `base` is the distance of the
+    /// outer loops.
+    pub(super) fn pieces(mut self, base: f64, starts: &HashMap<(u64, u64), (u32, u32)>) -> Vec<Piece> {
+        let mut sets = DisjointSets::new(self.places.len());
+        for way in &self.ways {
+            sets.join(way.ends[0], way.ends[1]);
+        }
+        for _ in 0..ROUNDS {
+            if !self.link(&mut sets) {
+                break;
+            }
+        }
+        let mut members: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
+        for k in 0..self.places.len() as u32 {
+            members.entry(sets.find(k)).or_default().push(k);
+        }
+        let mut place_of = vec![0; self.places.len()];
+        let mut pieces: BTreeMap<u32, Piece> = BTreeMap::new();
+        for (&set, members) in &members {
+            let places = members.iter().map(|&k| self.places[k as usize]).collect();
+            members.iter().zip(0..).for_each(|(&k, new)| place_of[k as usize] = new);
+            pieces.insert(set, Piece { places, ..Piece::default() });
+        }
+        for way in &self.ways {
+            if let Some(piece) = pieces.get_mut(&sets.find(way.ends[0])) {
+                piece.ways.push(Way { ends: way.ends.map(|e| place_of[e as usize]), segment: way.segment });
+            }
+        }
+        for (place, at) in &self.roots {
+            if let (Some(piece), Some(&start)) = (pieces.get_mut(&sets.find(*place)), starts.get(&bits(*at))) {
+                piece.roots.push((place_of[*place as usize], start));
+            }
+        }
+        for (set, members) in &members {
+            if let Some(piece) = pieces.get_mut(set).filter(|p| p.roots.is_empty()) {
+                for &k in members.iter().step_by(members.len().div_ceil(CANDIDATES)) {
+                    let exit =
+                        |f: Fibre| Exit { place: place_of[k as usize], site: f.site, at: f.foot + f.normal * base };
+                    piece.exits.extend(self.fibres[k as usize].map(exit));
+                }
+            }
+        }
+        let least = self.allowance;
+        pieces.into_values().filter(|p| p.places.iter().any(|place| place.reach > least)).collect()
+    }
+
+    /// Whether a place is where a branch comes down to the lower clearance: nothing goes on from there.
+    fn is_tip(&self, place: u32) -> bool {
+        self.fibres[place as usize].is_some_and(|f| f.clearance <= self.low)
+    }
+
+    /// Joins parts to the nearest others within the gap.
+    fn link(&mut self, sets: &mut DisjointSets) -> bool {
+        let mut found: Vec<(f64, u32, u32)> = Vec::new();
+        for &end in self.ends.iter().filter(|&&k| !self.is_tip(k)) {
+            let (own, at) = (sets.find(end), self.places[end as usize].at);
+            let mut best: Option<(f64, u32)> = None;
+            for (k, place) in (0..).zip(&self.places) {
+                let far = place.at.distance(at);
+                if far <= best.map_or(self.gap, |b| b.0) && !self.is_tip(k) && sets.find(k) != own {
+                    best = Some((far, k));
+                }
+            }
+            found.extend(best.map(|(far, k)| (far, end, k)));
+        }
+        found.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut joined = false;
+        for (_, a, b) in found {
+            if sets.find(a) != sets.find(b) {
+                sets.join(a, b);
+                self.join(a, b);
+                joined = true;
+            }
+        }
+        joined
+    }
+}

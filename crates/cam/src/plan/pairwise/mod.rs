@@ -1,0 +1,93 @@
+//! Tool path I from the pair-wise engine's offsets, as S. C. Park and B. K. Choi make it (*Uncut free pocketing tool-paths
+//! generation using pair-wise offset algorithm*, 2001): no skeleton is built.
+//!
+//! 1. Arcs of the region become chords on the pocket's side ([`PairwiseEngine::straightened`]).
+//! 2. Loops at `r + q`, `r + q + w`, … until none is left; which lies in which, the loops themselves say (`nesting`).
+//! 3. What stays uncut is found in the interfering ranges of the offsets (`ranges`); the paths to it are made as for the
+//!    exact engine ([`super::cleanup`]).
+//! 4. Order, side-steps and moves are those of tool path I ([`super::order`]). Between the loops of one area the tool takes
+//!    a straight way that is clear of the walls, or lifts (`across`). It ramps in along its first loop.
+//!
+//! The first loops lie nearer to the walls than the tool's radius by what a channel may be narrower than the tool: so
+//! channels just as wide as it need no paths of their own.
+
+mod across;
+mod fibres;
+mod links;
+mod nesting;
+mod ranges;
+
+use super::order::Orderer;
+use super::{MOST_LEVELS, Plan, PlanError, Strategy, clamped_stepover, cleanup, moves};
+use crate::job::PocketJob;
+use across::StraightWays;
+use pocketry_geom::Region;
+use pocketry_geom::offset::{OffsetError, PairwiseEngine, PairwiseOffset, PairwiseOffsetter, degenerate_slack};
+
+/// Halvings of the search for the largest tool that fits.
+const HALVINGS: usize = 40;
+
+/// Plans a job in a region from the pair-wise engine's offsets ([`Strategy::Contour`]).
+///
+/// # Errors
+/// When the job asks for the impossible, the tool fits nowhere in the region, or the engine fails.
+pub fn plan_pairwise(region: &Region, job: &PocketJob) -> Result<Plan, PlanError> {
+    job.check()?;
+    let mut warnings = Vec::new();
+    let stepover = clamped_stepover(job, &mut warnings);
+    let size = region.bbox().size();
+    if size > MOST_LEVELS * stepover {
+        return Err(PlanError::Job { what: "stepover", value: stepover });
+    }
+    if job.stock.depth > MOST_LEVELS * job.stepdown {
+        return Err(PlanError::Job { what: "stepdown", value: job.stepdown });
+    }
+    let first = job.first_distance() - degenerate_slack(job.first_distance());
+    let straight = PairwiseEngine::straightened(region, first);
+    let offsetter = PairwiseOffsetter::new(straight.as_ref().unwrap_or(region));
+    let offsets = offsets(&offsetter, first, stepover)?;
+    if offsets.is_empty() {
+        let largest = 2.0 * (largest_clearance(&offsetter, first)? - job.stock_to_leave);
+        return Err(PlanError::DoesNotFit { diameter: job.tool.diameter, largest: largest.max(0.0) });
+    }
+    let mut levels = nesting::levels(&offsets);
+    let ways = StraightWays { offsetter: &offsetter, size };
+    let radius = job.tool.radius();
+    let mut cleanups = Vec::new();
+    if job.cleanup && stepover > radius {
+        let orderer = Orderer::new(&ways, &levels);
+        let pieces = ranges::pieces(&offsetter, &offsets, &levels, stepover, radius)?;
+        let gathered = cleanup::gather(&pieces, &orderer, radius);
+        cleanups = cleanup::add(&mut levels, gathered);
+    }
+    let chains = Orderer::new(&ways, &levels).chains();
+    let mut plan = moves::write(&levels, &chains, job, first);
+    warnings.append(&mut plan.warnings);
+    Ok(Plan { strategy: Strategy::Contour, warnings, stepover, cleanups, ..plan })
+}
+
+/// The offsets at the first distance and in steps of the stepover, as long as there are loops.
+fn offsets(offsetter: &PairwiseOffsetter<'_>, first: f64, stepover: f64) -> Result<Vec<PairwiseOffset>, OffsetError> {
+    let mut offsets = Vec::new();
+    loop {
+        let offset = offsetter.offset(first + offsets.len() as f64 * stepover)?;
+        if offset.offset.loops.is_empty() {
+            return Ok(offsets);
+        }
+        offsets.push(offset);
+    }
+}
+
+/// The largest clearance, which is below `most`.
+fn largest_clearance(offsetter: &PairwiseOffsetter<'_>, most: f64) -> Result<f64, OffsetError> {
+    let (mut low, mut high) = (0.0, most);
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        if offsetter.offset(middle)?.offset.loops.is_empty() {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    Ok(low)
+}
