@@ -116,7 +116,7 @@ fn program(region: &Region, profile: &ToolProfile) -> Result<String, String> {
     let job = PocketJob::for_diameter(2.0 * radius);
     let plan = plan_profile(region, profile, &job).map_err(|e| match e {
         PlanError::ProfileDoesNotFit { .. } => "does not fit".to_owned(),
-        PlanError::ProfileOutline { at } => format!("outline: near {at:?}"),
+        PlanError::Morphology(e) => format!("outline: {e}"),
         other => format!("plan: {other}"),
     })?;
     plan.program.check(&job.stock).map_err(|e| format!("program: {e}"))?;

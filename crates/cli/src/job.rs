@@ -156,7 +156,7 @@ pub(crate) fn plan_failure(error: &PlanError) -> Failure {
         PlanError::DoesNotFit { .. } | PlanError::ProfileDoesNotFit { .. } => (Exit::BadInput, "does-not-fit"),
         PlanError::Job { .. } | PlanError::Profile { .. } => (Exit::BadInput, "arguments"),
         PlanError::Skeleton { .. } => (Exit::NotProven, "skeleton"),
-        PlanError::Offset(_) | PlanError::ProfileOutline { .. } => (Exit::NotProven, "offset"),
+        PlanError::Offset(_) | PlanError::Morphology(_) => (Exit::NotProven, "offset"),
     };
     Failure::new(exit, kind, error)
 }

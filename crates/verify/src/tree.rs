@@ -158,7 +158,8 @@ impl Tree {
         self.walk(off, |_, item| visit(&item.segment), &mut limit);
     }
 
-    /// Visits items whose nodes are bounded below the limit, near children first; `visit` may lower the limit.
+    /// Visits items whose nodes are bounded below the limit, near children first; `visit` may lower the limit, to stop at once
+    /// to negative infinity.
     fn walk(&self, bound: impl Fn(&BBox) -> f64, mut visit: impl FnMut(&mut f64, &Item), limit: &mut f64) {
         let mut stack = [(0u32, 0.0f64); 64];
         let mut height = 0;
@@ -177,6 +178,9 @@ impl Tree {
                 let (first, count) = (node.first as usize, node.count as usize);
                 for item in &self.items[first..first + count] {
                     visit(limit, item);
+                    if *limit == f64::NEG_INFINITY {
+                        return;
+                    }
                 }
                 continue;
             }
@@ -211,4 +215,24 @@ fn split(items: &mut [(BBox, u32)], from: usize, to: usize, nodes: &mut Vec<Node
     split(items, from, from + half, nodes);
     nodes[index].first = nodes.len() as u32;
     split(items, from + half, to, nodes);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pocketry_geom::point;
+
+    #[test]
+    fn a_visitor_that_says_stop_is_not_asked_again() {
+        let at = |k: u32| point(f64::from(k), 0.0);
+        let rungs: Vec<Segment> = (0..20).map(|k| Segment::line(at(k), at(k + 1))).collect();
+        for stop in 1..=rungs.len() {
+            let mut asked = 0;
+            Tree::new(&rungs).near(&Segment::line(at(0), at(20)), 1.0, |_| {
+                asked += 1;
+                asked < stop
+            });
+            assert_eq!(asked, stop);
+        }
+    }
 }

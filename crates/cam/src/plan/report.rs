@@ -1,6 +1,7 @@
 //! What a plan holds, and what can be said about it.
 
 use super::{Cleanup, Strategy};
+use pocketry_geom::offset::morphology::MorphologyError;
 use pocketry_geom::offset::{OffsetError, degenerate_slack};
 use pocketry_geom::skeleton::Skeleton;
 use pocketry_geom::skeleton::trees::{Kind, Trees};
@@ -47,16 +48,9 @@ pub enum PlanError {
         /// Why.
         reason: String,
     },
-    /// The outline of the places at which the profile may be does not close.
-    #[error(
-        "the places of this tool profile have no clear outline near ({:.4}, {:.4}); look for walls there that run along one another \
-         within a micrometre, or change the profile's size a little",
-        .at.x, .at.y
-    )]
-    ProfileOutline {
-        /// A place of the tool there.
-        at: Point,
-    },
+    /// The places at which the profile may be are not clear.
+    #[error(transparent)]
+    Morphology(#[from] MorphologyError),
     /// The tool's cross-section is too large for every part of the region, as it is turned.
     #[error(
         "a tool profile of {width:.3} x {height:.3} mm fits nowhere in this pocket as it is turned; take a smaller one or turn it \

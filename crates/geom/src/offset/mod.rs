@@ -6,6 +6,7 @@
 //! pocket to the left of travel. Loops may touch at points: two loops meet at a pass whose clearance is exactly `d`.
 
 pub mod bisector;
+pub mod morphology;
 pub mod outward;
 pub mod pairwise;
 pub mod voronoi;

@@ -1,7 +1,7 @@
 //! Pocketing with a tool of any cross-section: the stack-based form of the recursive algorithm of R. Molina-Carmona, A. Jimeno and
 //! M. Davia, *Contour pocketing computation using mathematical morphology*, section 2 and figure 8.
 //!
-//! 1. `A₀`, the places at which the profile `B` lies in the region: its erosion by `B` (`erosion`). Its outline is the
+//! 1. `A₀`, the places at which the profile `B` lies in the region: its erosion by `B` ([`eroded`]). Its outline is the
 //!    first loop, and there are as many loops as it has contours, islands included.
 //! 2. `Aₖ₊₁`, the erosion of `Aₖ` by a *step* `T`, until nothing is left (`tree`).
 //! 3. The connected parts of all `Aₖ` make a forest. A stack walks it: a part's loops are cut when the parts inside it are done (`walk`).
@@ -15,13 +15,11 @@
 //! empty and holds `x − B` too: a contradiction. For convex `B` the step is `σ(b − B)` with `b` the mean of its corners and σ ≤ 1 (the
 //! stepover as a share of the radius of the largest inscribed circle); else it is a circle with σ times that radius.
 //!
-//! Departures from the paper: the outline of an erosion is computed as lines and arcs and not point by point; successive offsets are taken by `T` and not by `B`, so that they overlap and so that profiles without
-//! symmetry leave nothing; ways from a part's loop to the next one out lead straight to its nearest point, which is
-//! inside `Aₖ` always.
+//! Departures from the paper: successive offsets are taken by `T` and not by `B`, so that they overlap and so that profiles
+//! without symmetry leave nothing; ways from a part's loop to the next one out lead straight to its nearest point, which is inside
+//! `Aₖ` always.
 
-mod erosion;
 mod moves;
-mod touch;
 mod tree;
 mod walk;
 
@@ -30,7 +28,7 @@ mod tests;
 
 use super::{Plan, PlanError, Warning};
 use crate::job::PocketJob;
-use erosion::eroded;
+use pocketry_geom::offset::morphology::eroded;
 use pocketry_geom::skeleton::Skeleton;
 use pocketry_geom::{Contour, Point, Region, ToolProfile};
 

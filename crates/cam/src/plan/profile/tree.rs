@@ -1,9 +1,9 @@
 //! The forest of the connected parts of successive erosions: figure 8 of the paper.
 
 use super::MOST_LEVELS;
-use super::erosion::eroded;
 use crate::plan::PlanError;
 use pocketry_geom::distance::Boundary;
+use pocketry_geom::offset::morphology::eroded;
 use pocketry_geom::{Contour, Point, Region};
 
 /// Points of a part's outline that say which part is around it, and where on their segments they lie.

@@ -4,8 +4,11 @@
 //! the place `w + c`. Normals are compared within a tolerance; a line that is parallel to a wall counts once, with its first end, and
 //! where a wall bends away only with what leaves the bend, which makes the sums join one another.
 
-use pocketry_geom::tolerance::profile::PARALLEL;
-use pocketry_geom::{Arc, Contour, Point, Region, Segment, Vec2};
+use crate::contour::Contour;
+use crate::point::{Point, Vec2};
+use crate::region::Region;
+use crate::segment::{Arc, Segment};
+use crate::tolerance::profile::PARALLEL;
 use std::f64::consts::{PI, TAU};
 
 /// All such places, as lines and arcs.

@@ -1,25 +1,64 @@
-//! Where a profile may be in a region: the erosion of the region by it.
+//! Offsets by any cross-section: the morphological erosion of R. Molina-Carmona, A. Jimeno and M. Davia, *Contour pocketing computation
+//! using mathematical morphology*, section 2.
 //!
-//! The places at which the profile `B` touches a wall from inside with parallel tangents are sums of a point of the wall and a point of
-//! `−B` with the same normal, away from the wall; for lines and arcs these are lines and arcs (`touch`). They are cut where they cross,
-//! parts at whose middle a wall comes into the profile are dropped, and what is left closes to the outline of the erosion.
-//! The profile is grown by a trifle first, so that slots exactly as wide as it vanish, whatever the rounding.
+//! The erosion of a region by a profile `B` is the set of places of the profile's reference point at which the profile lies in the
+//! region. Equations 3 and 4 of the paper disagree about touching; here containment is closed: a profile may touch walls.
+//!
+//! 1. *Instant basic operations* (`touch`): the places at which `B` touches a wall from inside with parallel tangents are sums of a
+//!    point of the wall and a point of `−B` with the same normal, away from the wall. The paper takes them one by one at a step along
+//!    the trajectory; for lines and arcs they are lines and arcs, and taken whole, at corners for the whole range of normals.
+//! 2. They are cut where they cross, through an index, rather than left with gaps as in the paper.
+//! 3. *Collision* (`Judge`): parts at whose middle a wall comes into the profile are dropped. An index finds the walls that may.
+//! 4. What is left closes to loops. What does not is a [`MorphologyError`].
+//!
+//! **Exactness.** With lines and arcs on both sides there is no step, and so no error of one. The profile is grown by
+//! [`GROWTH`] first, so that slots exactly as wide as it vanish, whatever the rounding; gaps up to [`JOINED`] of the size are closed.
+//!
+//! **Cost.** O(m k) for walls and edges of the profile in step 1, then O(n log n + c) for n pieces with c crossings.
+//!
+//! Not there: profiles that turn with the walls, dilation, opening and closing, curves that are neither lines nor arcs.
 
-use super::touch::touching;
-use crate::plan::PlanError;
-use pocketry_geom::chain::chain;
-use pocketry_geom::distance::Boundary;
-use pocketry_geom::index::SegmentIndex;
-use pocketry_geom::intersect::{Closeness, Contact, contacts};
-use pocketry_geom::repair::{RegionError, RepairOptions, build};
-use pocketry_geom::tolerance::profile::{ENTERED, GROWTH, JOINED, SHORTEST};
-use pocketry_geom::tolerance::touch_length;
-use pocketry_geom::{Contour, Point, Region, Segment};
+mod touch;
+
+#[cfg(test)]
+mod tests;
+
+use crate::chain::chain;
+use crate::contour::Contour;
+use crate::distance::Boundary;
+use crate::index::SegmentIndex;
+use crate::intersect::{Closeness, Contact, contacts};
+use crate::point::Point;
+use crate::region::Region;
+use crate::repair::{RegionError, RepairOptions, build};
+use crate::segment::Segment;
+use crate::tolerance::profile::{ENTERED, GROWTH, JOINED, SHORTEST};
+use crate::tolerance::touch_length;
 use rayon::prelude::*;
 use std::ops::ControlFlow;
+use touch::touching;
 
-/// The places at which a counter-clockwise contour about its reference point, with this point inside it, lies in a region.
-pub(super) fn eroded(region: &Region, profile: &Contour, inside: Point) -> Result<Region, PlanError> {
+/// Why a region could not be eroded.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum MorphologyError {
+    /// The outline of the places at which the profile may be does not close.
+    #[error(
+        "the places of this tool profile have no clear outline near ({:.4}, {:.4}); look for walls there that run along one another \
+         within a micrometre, or change the profile's size a little",
+        .at.x, .at.y
+    )]
+    Outline {
+        /// A place of the tool there.
+        at: Point,
+    },
+}
+
+/// The places at which a profile lies in a region; empty where it fits nowhere. The profile is a counter-clockwise contour, convex or
+/// not, about its reference point at the origin; `inside` is a point within it.
+///
+/// # Errors
+/// Where the outline of the places does not close, with a place.
+pub fn eroded(region: &Region, profile: &Contour, inside: Point) -> Result<Region, MorphologyError> {
     let profile = scaled(profile, inside, 1.0 + GROWTH);
     let size = region.bbox().size().max(profile.bbox().size());
     let raw: Vec<Segment> = touching(region, &profile).into_iter().filter(|s| s.length() > SHORTEST * size).collect();
@@ -30,7 +69,7 @@ pub(super) fn eroded(region: &Region, profile: &Contour, inside: Point) -> Resul
         pieces.into_par_iter().filter(|s| s.length() > SHORTEST * size && judge.admits(s.at(0.5))).collect();
     let chains = chain(&kept, JOINED * size);
     if let Some(open) = chains.open.first() {
-        return Err(PlanError::ProfileOutline { at: open.end });
+        return Err(MorphologyError::Outline { at: open.end });
     }
     let area = JOINED * size * size;
     let loops: Vec<Contour> = chains.closed.into_iter().map(|(c, _)| c).filter(|c| c.area().abs() > area).collect();
@@ -40,7 +79,7 @@ pub(super) fn eroded(region: &Region, profile: &Contour, inside: Point) -> Resul
     match build(loops, &RepairOptions { join_tolerance: JOINED * size }) {
         Ok(healed) => Ok(healed.region),
         Err(RegionError::Nothing { .. }) => Ok(Region::default()),
-        Err(_) => Err(PlanError::ProfileOutline { at: kept[0].start() }),
+        Err(_) => Err(MorphologyError::Outline { at: kept[0].start() }),
     }
 }
 
@@ -126,7 +165,8 @@ impl Judge {
     /// Whether a wall, seen from the reference point, comes into the profile: its ends, or its middles between crossings of the outline.
     fn is_entered_by(&self, wall: &Segment) -> bool {
         let mut cuts = Vec::new();
-        let closeness = Closeness { touch: 0.0, lens: 0.0 };
+        // A wall along an edge leaves it at a corner, which must not fall between the two edges there.
+        let closeness = Closeness { touch: self.entered, lens: self.entered };
         for edge in &self.outline.segments {
             contacts(wall, edge, closeness, |contact| match contact {
                 Contact::Crossing { at, .. } | Contact::Tangent(at) => cuts.push(at),

@@ -1,0 +1,197 @@
+//! Erosions against closed forms, the exact engine, an independent Minkowski sum, and brute force.
+
+use super::*;
+use crate::offset::voronoi::VoronoiOffsetter;
+use crate::offset::{OffsetOptions, morphology::eroded};
+use crate::point::point;
+use crate::skeleton::Skeleton;
+use clipper2_rust::clipper::{difference_64, xor_64};
+use clipper2_rust::core::{FillRule, Paths64, Point64, area};
+use clipper2_rust::minkowski::minkowski_sum;
+use pocketry_testkit::shapes;
+
+type Loop = Vec<[f64; 3]>;
+
+fn region(loops: &[Loop]) -> Region {
+    build(loops.iter().map(|l| Contour::from_vertices(l)).collect(), &RepairOptions::default()).unwrap().region
+}
+
+fn block(width: f64, height: f64) -> Loop {
+    let (x, y) = (0.5 * width, 0.5 * height);
+    vec![[-x, -y, 0.0], [x, -y, 0.0], [x, y, 0.0], [-x, y, 0.0]]
+}
+
+fn profile(vertices: &[[f64; 3]]) -> Contour {
+    Contour::from_vertices(vertices)
+}
+
+fn moved(of: Loop, [x, y]: [f64; 2]) -> Loop {
+    of.into_iter().map(|v| [v[0] + x, v[1] + y, v[2]]).collect()
+}
+
+/// Regions with lines, arcs and islands, about the origin.
+fn examples() -> Vec<Vec<Loop>> {
+    let ring = vec![shapes::circle(20.0, [0.0; 2]), shapes::circle(6.0, [3.0, 1.0])];
+    let plate = vec![
+        shapes::rounded_rectangle(60.0, 40.0, 5.0),
+        shapes::ngon(6, 5.0, [42.0, 14.0]),
+        shapes::circle(4.0, [15.0, 22.0]),
+    ];
+    vec![
+        ring,
+        plate,
+        vec![shapes::gear(9, 12.0, 20.0)],
+        vec![shapes::comb(4, 12.0)],
+        shapes::smooth_with_islands(300, true),
+    ]
+}
+
+#[test]
+fn a_rectangle_by_a_rectangle_is_a_rectangle() {
+    let places = eroded(&region(&[block(40.0, 20.0)]), &profile(&block(12.0, 4.0)), Point::ORIGIN).unwrap();
+    assert!((places.area() - 28.0 * 16.0).abs() < 1e-4, "{}", places.area());
+    assert_eq!(places.contours()[0].segments.len(), 4);
+    // With an island of 4 by 4 the places around it are a hole of 16 by 8.
+    let places =
+        eroded(&region(&[block(40.0, 20.0), block(4.0, 4.0)]), &profile(&block(12.0, 4.0)), Point::ORIGIN).unwrap();
+    assert!((places.area() - (28.0 * 16.0 - 16.0 * 8.0)).abs() < 1e-4, "{}", places.area());
+    assert_eq!(places.contours().len(), 2);
+}
+
+#[test]
+fn a_slot_just_as_wide_as_the_profile_and_a_region_too_small_hold_no_place() {
+    for height in [4.0, 3.0] {
+        let places = eroded(&region(&[block(40.0, height)]), &profile(&block(12.0, 4.0)), Point::ORIGIN).unwrap();
+        assert!(places.contours().is_empty());
+    }
+}
+
+#[test]
+fn the_reference_point_may_lie_anywhere() {
+    let away = moved(block(12.0, 4.0), [100.0, -7.0]);
+    let places = eroded(&region(&[block(40.0, 20.0)]), &profile(&away), point(100.0, -7.0)).unwrap();
+    assert!((places.area() - 28.0 * 16.0).abs() < 1e-4);
+    assert!(places.bbox().center().distance(point(-100.0, 7.0)) < 1e-6);
+}
+
+#[test]
+fn a_circle_agrees_with_the_exact_engine() {
+    for (k, loops) in examples().iter().enumerate() {
+        let region = region(loops);
+        let (skeleton, walls) = (Skeleton::build(&region).unwrap(), Boundary::new(&region));
+        let offsetter = VoronoiOffsetter::new(&skeleton);
+        let size = region.bbox().size();
+        for radius in [0.02, 0.05].map(|share| share * size) {
+            let places = eroded(&region, &profile(&shapes::circle(radius, [0.0; 2])), Point::ORIGIN).unwrap();
+            let exact = offsetter.offset(radius, &OffsetOptions::default()).unwrap();
+            let area: f64 = exact.loops.iter().map(|l| l.contour.area()).sum();
+            assert!((places.area() - area).abs() < 1e-6 * size * size, "{k}: {} instead of {area}", places.area());
+            assert_eq!(places.contours().len(), exact.loops.len(), "{k}");
+            for s in places.segments() {
+                for p in [s.start(), s.at(0.5)] {
+                    let off = walls.signed_distance(p) - radius;
+                    assert!(off.abs() < 1e-6 * size, "{k}: off by {off} at {p:?}");
+                }
+            }
+        }
+    }
+}
+
+/// Points on a grid of a ten-thousandth of a millimetre.
+fn on_grid(contours: &[Contour]) -> Paths64 {
+    let grid = |p: Point| Point64::new((p.x * 1e4).round() as i64, (p.y * 1e4).round() as i64);
+    contours.iter().map(|c| c.segments.iter().map(|s| grid(s.start())).collect()).collect()
+}
+
+#[test]
+fn convex_polygons_agree_with_an_independent_minkowski_sum() {
+    let polygons = vec![
+        vec![block(40.0, 24.0), shapes::ngon(7, 4.0, [-6.0, 1.0]), shapes::ngon(5, 3.0, [9.0, -3.0])],
+        vec![shapes::comb(4, 12.0)],
+        shapes::smooth_with_islands(200, false),
+        vec![shapes::polar(90, |t| 20.0 + 6.0 * (5.0 * t).cos())],
+    ];
+    let profiles = [block(3.0, 1.5), shapes::ngon(3, 1.7, [0.0; 2]), moved(shapes::ngon(8, 1.1, [0.0; 2]), [0.4, 0.2])];
+    for (k, loops) in polygons.iter().enumerate() {
+        for (j, tool) in profiles.iter().enumerate() {
+            let region = region(loops);
+            let places = eroded(&region, &profile(tool), Point::ORIGIN).unwrap();
+            let reflected: Loop = tool.iter().map(|v| [-v[0], -v[1], 0.0]).collect();
+            let pattern = on_grid(&[profile(&reflected)]).remove(0);
+            let walls = on_grid(region.contours());
+            let blocked: Paths64 = walls.iter().flat_map(|wall| minkowski_sum(&pattern, wall, true)).collect();
+            let theirs = difference_64(&walls, &blocked, FillRule::NonZero);
+            let differ = xor_64(&on_grid(places.contours()), &theirs, FillRule::NonZero);
+            let off: f64 = differ.iter().map(area).sum::<f64>() * 1e-8;
+            let length: f64 = places.segments().map(Segment::length).sum();
+            assert!(off <= 3e-4 * (1.0 + length), "{k} by {j}: {off} mm2 differ");
+            assert!(places.area() > 1.0 || k == 1, "{k} by {j}");
+        }
+    }
+}
+
+#[test]
+fn hollow_profiles_agree_with_brute_force() {
+    let l_shape: Loop = [[0.0, 0.0], [4.0, 0.0], [4.0, 1.5], [1.5, 1.5], [1.5, 5.0], [0.0, 5.0]]
+        .iter()
+        .map(|v| [v[0], v[1], 0.0])
+        .collect();
+    let bean: Loop = vec![[-2.0, 0.0, 0.9], [2.0, 0.0, 0.9], [1.0, 0.0, -0.8], [-1.0, 0.0, 0.9]];
+    for (j, (tool, inside)) in [(l_shape, point(0.7, 0.7)), (bean, point(0.0, -1.4))].into_iter().enumerate() {
+        for (k, loops) in examples().iter().take(3).enumerate() {
+            let (region, tool) = (region(loops), profile(&tool));
+            let places = eroded(&region, &tool, inside).unwrap();
+            let (walls, outline) = (Boundary::new(&region), Boundary::new(&places));
+            let rim: Vec<Point> =
+                tool.segments.iter().flat_map(|s| (0..60).map(|q| s.at(f64::from(q) / 60.0))).collect();
+            let bbox = region.bbox();
+            let mut judged = 0;
+            for q in 0..2500_u32 {
+                let share = |n: u32| (f64::from(n) + 0.318) / 50.0;
+                let p = point(bbox.min.x + share(q % 50) * bbox.width(), bbox.min.y + share(q / 50) * bbox.height());
+                let margin = rim.iter().map(|r| walls.signed_distance(p + r.to_vec())).fold(f64::INFINITY, f64::min);
+                // Islands in the profile are seen by its rim as it passes over them.
+                if margin.abs() > 0.3 {
+                    let swallowed = region.contours().iter().skip(1).any(|c| {
+                        Region::from_parts_unchecked(vec![tool.translated(p.to_vec())], vec![None])
+                            .contains(c.segments[0].start())
+                    });
+                    let free = margin > 0.0 && !swallowed;
+                    let inside = !places.contours().is_empty() && outline.contains(p);
+                    assert_eq!(inside, free, "{k} by {j} at {p:?}: margin {margin}");
+                    judged += 1;
+                }
+            }
+            assert!(judged > 1000);
+        }
+    }
+}
+
+#[test]
+fn turned_mirrored_and_moved_together_nothing_changes() {
+    let tool: Loop = vec![[-1.5, -1.0, 0.0], [2.0, -1.0, 0.2], [1.0, 1.5, 0.0]];
+    let maps: [fn([f64; 3]) -> [f64; 3]; 3] =
+        [|[x, y, b]| [-y, x, b], |[x, y, b]| [-x, y, -b], |[x, y, b]| [0.8 * x - 0.6 * y, 0.6 * x + 0.8 * y, b]];
+    for loops in examples() {
+        let all = |map: fn([f64; 3]) -> [f64; 3], l: &Loop| -> Loop { l.iter().copied().map(map).collect() };
+        let plain = eroded(&region(&loops), &profile(&tool), Point::ORIGIN).unwrap();
+        for (k, map) in maps.into_iter().enumerate() {
+            let loops: Vec<Loop> = loops.iter().map(|l| all(map, l)).collect();
+            let mut tool = all(map, &tool);
+            if k == 1 {
+                // A mirrored contour runs the other way round: bulges go with the edges that leave.
+                let n = tool.len();
+                tool =
+                    (0..n).map(|v| [tool[n - 1 - v][0], tool[n - 1 - v][1], -tool[(2 * n - 2 - v) % n][2]]).collect();
+            }
+            let turned = eroded(&region(&loops), &profile(&tool), Point::ORIGIN).unwrap();
+            let size = region(&loops).bbox().size();
+            assert!(
+                (turned.area() - plain.area()).abs() < 1e-7 * size * size,
+                "{k}: {} {}",
+                turned.area(),
+                plain.area()
+            );
+        }
+    }
+}
