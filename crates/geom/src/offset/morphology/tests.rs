@@ -105,7 +105,7 @@ fn on_grid(contours: &[Contour]) -> Paths64 {
 
 #[test]
 fn convex_polygons_agree_with_an_independent_minkowski_sum() {
-    let polygons = vec![
+    let polygons = [
         vec![block(40.0, 24.0), shapes::ngon(7, 4.0, [-6.0, 1.0]), shapes::ngon(5, 3.0, [9.0, -3.0])],
         vec![shapes::comb(4, 12.0)],
         shapes::smooth_with_islands(200, false),
@@ -147,7 +147,7 @@ fn hollow_profiles_agree_with_brute_force() {
             let bbox = region.bbox();
             let mut judged = 0;
             for q in 0..2500_u32 {
-                let share = |n: u32| (f64::from(n) + 0.318) / 50.0;
+                let share = |n: u32| (f64::from(n) + 0.307) / 50.0;
                 let p = point(bbox.min.x + share(q % 50) * bbox.width(), bbox.min.y + share(q / 50) * bbox.height());
                 let margin = rim.iter().map(|r| walls.signed_distance(p + r.to_vec())).fold(f64::INFINITY, f64::min);
                 // Islands in the profile are seen by its rim as it passes over them.
