@@ -173,6 +173,9 @@ pub mod pairwise {
     /// makes them, and with all attempts still far below what an offset may be off.
     pub const PERTURBATION: f64 = 1e-9;
 
+    /// Edges no longer are left out, *relative*: a twentieth of [`CLEARANCE`], so that their ends are judged alike.
+    pub const WELD: f64 = 1e-9;
+
     /// How often it may grow.
     pub const ATTEMPTS: u32 = 12;
 }

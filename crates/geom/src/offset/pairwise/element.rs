@@ -71,18 +71,19 @@ impl Element {
     }
 }
 
-/// Adds the elements of a contour of lines.
-pub(super) fn add_contour(contour: &Contour, elements: &mut Vec<Element>) {
-    let normal = |s: &Segment| (s.end() - s.start()).normalized().left();
-    let mut lines = contour.segments.iter().map(|s| (s, normal(s))).filter(|(_, n)| *n != Vec2::ZERO).peekable();
-    let Some(&(_, first)) = lines.peek() else { return };
+/// Adds the elements of a contour of lines, from which edges no longer than `weld` (mm) are left out: neither their directions nor
+/// those of their parallels mean anything.
+pub(super) fn add_contour(contour: &Contour, weld: f64, elements: &mut Vec<Element>) {
+    let points = welded(contour, weld);
+    let ends = (0..points.len()).map(|k| (points[k], points[(k + 1) % points.len()]));
+    let mut lines = ends.map(|(a, b)| (a, b, (b - a).normalized().left())).peekable();
+    let Some(&(_, _, first)) = lines.peek() else { return };
     let mut push = |start, end, n0, n1, joint| {
         let number = elements.len() as u32;
         elements.push(Element { start, end, n0, n1, number, joint });
     };
-    while let Some((line, n)) = lines.next() {
-        let (start, end) = (line.start(), line.end());
-        let after = lines.peek().map_or(first, |next| next.1);
+    while let Some((start, end, n)) = lines.next() {
+        let after = lines.peek().map_or(first, |next| next.2);
         let turn = n.cross(after);
         // A spike that turns back on itself is an end of the wall: its vertex is reflex.
         let reflex = turn < -SMOOTH_TURN || (turn <= SMOOTH_TURN && n.dot(after) < 0.0);
@@ -93,4 +94,18 @@ pub(super) fn add_contour(contour: &Contour, elements: &mut Vec<Element>) {
             push(end, end, n, after, Joint::Reflex);
         }
     }
+}
+
+/// The contour's vertices, of those nearer than `weld` to one another in a row the first; none where no area is left.
+fn welded(contour: &Contour, weld: f64) -> Vec<Point> {
+    let mut points: Vec<Point> = Vec::with_capacity(contour.segments.len());
+    for p in contour.segments.iter().map(Segment::start) {
+        if points.last().is_none_or(|last| last.distance(p) > weld) {
+            points.push(p);
+        }
+    }
+    while points.len() > 1 && points[0].distance(points[points.len() - 1]) <= weld {
+        points.pop();
+    }
+    if points.len() > 2 { points } else { Vec::new() }
 }

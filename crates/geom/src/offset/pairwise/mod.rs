@@ -39,7 +39,7 @@ use crate::point::Point;
 use crate::region::Region;
 use crate::segment::Line;
 use crate::skeleton::{SiteId, SiteShape};
-use crate::tolerance::pairwise::{ATTEMPTS, PERTURBATION};
+use crate::tolerance::pairwise::{ATTEMPTS, PERTURBATION, WELD};
 use element::Element;
 use raw::RawCurves;
 use walls::Walls;
@@ -129,11 +129,12 @@ impl<'a> PairwiseOffsetter<'a> {
     pub fn new(region: &'a Region) -> Self {
         let mut elements = Vec::with_capacity(region.edge_count() + region.edge_count() / 2);
         let mut bounds = vec![0];
+        let size = region.bbox().size();
         for contour in region.contours() {
-            element::add_contour(contour, &mut elements);
+            element::add_contour(contour, WELD * size, &mut elements);
             bounds.push(elements.len() as u32);
         }
-        Self { elements, bounds, walls: Walls::new(region), size: region.bbox().size() }
+        Self { elements, bounds, walls: Walls::new(region), size }
     }
 
     /// What a site of its offsets is: a line or a reflex vertex.
