@@ -71,8 +71,9 @@ pub fn eroded(region: &Region, profile: &Contour, inside: Point) -> Result<Regio
     if let Some(open) = chains.open.first() {
         return Err(MorphologyError::Outline { at: open.end });
     }
-    let area = JOINED * size * size;
-    let loops: Vec<Contour> = chains.closed.into_iter().map(|(c, _)| c).filter(|c| c.area().abs() > area).collect();
+    // Loops go for being thin, not for being small: a tight place just wider than the profile is one.
+    let is_wide = |c: &Contour| c.area().abs() > JOINED * size * c.length();
+    let loops: Vec<Contour> = chains.closed.into_iter().map(|(c, _)| c).filter(is_wide).collect();
     if loops.is_empty() {
         return Ok(Region::default());
     }

@@ -67,6 +67,14 @@ fn a_slot_just_as_wide_as_the_profile_and_a_region_too_small_hold_no_place() {
 }
 
 #[test]
+fn a_place_hardly_wider_than_the_profile_stays() {
+    // A pocket of 100 mm in which the tool has 4 µm to go, whose area is far below a millionth of the pocket's.
+    let loops = [block(100.0, 40.0), moved(block(12.004, 4.004), [0.0, 60.0])];
+    let places = eroded(&region(&loops), &profile(&block(12.0, 4.0)), Point::ORIGIN).unwrap();
+    assert_eq!(places.contours().len(), 2);
+}
+
+#[test]
 fn the_reference_point_may_lie_anywhere() {
     let away = moved(block(12.0, 4.0), [100.0, -7.0]);
     let places = eroded(&region(&[block(40.0, 20.0)]), &profile(&away), point(100.0, -7.0)).unwrap();
