@@ -252,12 +252,15 @@ pub mod profile {
     /// By how much profiles are grown before they erode a region, as a part of them: slots exactly as wide then vanish whatever the
     /// rounding, and a tool of 10 mm keeps a nanometre from the walls.
     pub const GROWTH: f64 = 1e-7;
+    /// How many sizes are tried, each larger than the last by that much.
+    pub const ATTEMPTS: u32 = 8;
     /// How deep a wall may come into the profile and still count as touching: a hundredth of the growth.
     pub const ENTERED: f64 = 1e-9;
-    /// Pieces of the outline that are shorter are left out, and gaps up to ten times that closed.
-    pub const SHORTEST: f64 = 1e-9;
+    /// Pieces of the outline that are shorter are left out, and gaps up to ten times that closed. Above what the growth makes of
+    /// tangencies, which else are eroded anew and multiply.
+    pub const SHORTEST: f64 = 1e-8;
     /// See [`SHORTEST`].
-    pub const JOINED: f64 = 1e-8;
+    pub const JOINED: f64 = 1e-7;
     /// Directions nearer than this are the same, radians.
     pub const PARALLEL: f64 = 1e-9;
 }

@@ -223,6 +223,13 @@ fn a_neck_that_no_tool_passes_is_named_with_its_place_and_width() {
 }
 
 #[test]
+fn a_tool_that_reaches_everything_leaves_nothing_and_not_minus_nothing() {
+    let table = pocketry().args(["info", "--tools", "6", &bracket()]).output().unwrap();
+    let text = String::from_utf8(table.stdout).unwrap();
+    assert!(text.contains(" 0 mm²") && !text.contains("-0"), "{text}");
+}
+
+#[test]
 fn subpockets_are_written_in_every_form() {
     let folder = Sandbox::new();
     for form in ["dxf", "svg", "json"] {

@@ -151,7 +151,8 @@ impl Leftover {
 
     /// Area of all pieces, mm².
     pub fn area(&self) -> f64 {
-        self.pieces.iter().map(|p| p.area).sum()
+        // A sum of nothing would be a negative zero.
+        self.pieces.iter().fold(0.0, |sum, p| sum + p.area)
     }
 
     /// The largest scallop: the deepest place of all pieces; none where the tool leaves nothing. Pockets in
