@@ -40,8 +40,8 @@ use pocketry_geom::skeleton::Skeleton;
 use pocketry_geom::skeleton::trees::Trees;
 use ways::SkeletonWays;
 
-pub(crate) use moves::{Writer, helix_of, ramp_of};
-pub(crate) use track::{Cut, Landing, Track};
+pub(crate) use moves::{Writer, helix_of, oriented, ramp_of};
+pub(crate) use track::{Cut, Landing, Track, shorter_way};
 
 pub use cleanup::{Cleanup, Uncut};
 pub use pairwise::plan_pairwise;

@@ -10,24 +10,49 @@ use std::f64::consts::TAU;
 
 /// Writes every chain at every depth.
 pub(super) fn write(levels: &Levels, chains: &[Chain], job: &PocketJob, first: f64) -> Plan {
-    let passes = (job.stock.depth / job.stepdown).ceil().max(1.0) as usize;
+    let passes = passes_of(job);
     let mut plan = Plan { passes, ..Plan::default() };
     let travelled: Vec<Travelled> = chains.iter().map(|c| Travelled::new(c, job, first)).collect();
     for (group, t) in travelled.iter().enumerate() {
         t.describe(group, levels, &mut plan);
     }
+    let (pocket, start) = (|t: &Travelled<'_>| t.chain.pocket, |t: &Travelled<'_>| t.entry_point());
+    plan.program.moves = at_every_depth(&travelled, job, pocket, start, |w, t, pass| w.chain(t, pass, passes));
+    plan
+}
+
+/// Depth passes: as many as the stepdown takes.
+pub(super) fn passes_of(job: &PocketJob) -> usize {
+    (job.stock.depth / job.stepdown).ceil().max(1.0) as usize
+}
+
+/// The moves of all chains, those of one pocket in each depth pass before the next: to above each one's start, and along it.
+pub(super) fn at_every_depth<C>(
+    chains: &[C],
+    job: &PocketJob,
+    pocket: impl Fn(&C) -> usize,
+    start: impl Fn(&C) -> Point,
+    cut: impl Fn(&mut Writer<'_>, &C, usize),
+) -> Vec<Move> {
     let mut writer = Writer::new(job);
-    for same_pocket in travelled.chunk_by(|a, b| a.chain.pocket == b.chain.pocket) {
-        for pass in 0..passes {
-            for (k, t) in same_pocket.iter().enumerate() {
-                writer.approach(t.entry_point(), pass == 0 && k == 0);
-                writer.chain(t, pass, passes);
+    for same_pocket in chains.chunk_by(|a, b| pocket(a) == pocket(b)) {
+        for pass in 0..passes_of(job) {
+            for (k, chain) in same_pocket.iter().enumerate() {
+                writer.approach(start(chain), pass == 0 && k == 0);
+                cut(&mut writer, chain, pass);
             }
         }
     }
     writer.lift(job.heights.clearance);
-    plan.program.moves = writer.into_moves();
-    plan
+    writer.moves
+}
+
+/// A loop in the direction that it is travelled in.
+pub(crate) fn oriented(segments: &[Segment], direction: Direction) -> Vec<Segment> {
+    match direction {
+        Direction::Climb => segments.to_vec(),
+        Direction::Conventional => segments.iter().rev().map(Segment::reversed).collect(),
+    }
 }
 
 /// A chain with its entry and its cuts in the direction they are travelled.
@@ -39,14 +64,8 @@ struct Travelled<'a> {
 
 impl<'a> Travelled<'a> {
     fn new(chain: &'a Chain, job: &PocketJob, first: f64) -> Self {
-        let oriented = |s: &Step| -> Vec<Segment> {
-            let segments = &s.cut.segments;
-            match job.direction {
-                Direction::Climb => segments.clone(),
-                Direction::Conventional => segments.iter().rev().map(Segment::reversed).collect(),
-            }
-        };
-        Self { chain, entry: entry(chain, job, first), cuts: chain.steps.iter().map(oriented).collect() }
+        let cuts = chain.steps.iter().map(|s: &Step| oriented(&s.cut.segments, job.direction)).collect();
+        Self { chain, entry: entry(chain, job, first), cuts }
     }
 
     /// Where the tool goes down.
@@ -118,7 +137,7 @@ pub(crate) struct Writer<'a> {
 }
 
 impl<'a> Writer<'a> {
-    pub(super) const fn new(job: &'a PocketJob) -> Self {
+    const fn new(job: &'a PocketJob) -> Self {
         Self { job, moves: Vec::new() }
     }
 
@@ -135,19 +154,15 @@ impl<'a> Writer<'a> {
         self.moves.extend(moves);
     }
 
-    pub(super) fn into_moves(self) -> Vec<Move> {
-        self.moves
-    }
-
     /// Straight up to a height above the stock.
-    pub(super) fn lift(&mut self, height: f64) {
+    fn lift(&mut self, height: f64) {
         if let Some(at) = self.at() {
             self.moves.push(Move::Rapid { to: Point3 { z: self.job.stock.top + height, ..at } });
         }
     }
 
     /// Through the air to above `p`: at retract height within a pocket, at clearance height to a `fresh` one.
-    pub(super) fn approach(&mut self, p: Point, fresh: bool) {
+    fn approach(&mut self, p: Point, fresh: bool) {
         let heights = self.job.heights;
         let height = if fresh { heights.clearance.max(heights.retract) } else { heights.retract };
         self.lift(height);

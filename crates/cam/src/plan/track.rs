@@ -171,14 +171,15 @@ impl Cut {
 
     /// The way along the cut from its start to the start of segment `to`, the shorter way round.
     pub(crate) fn way(&self, to: usize) -> Vec<Segment> {
-        let (ahead, behind) = self.segments.split_at(to);
-        let length = |s: &[Segment]| s.iter().map(Segment::length).sum::<f64>();
-        if length(ahead) <= length(behind) {
-            ahead.to_vec()
-        } else {
-            behind.iter().rev().map(Segment::reversed).collect()
-        }
+        shorter_way(&self.segments, to)
     }
+}
+
+/// The way along a closed path from its start to the start of segment `to`, the shorter way round.
+pub(crate) fn shorter_way(path: &[Segment], to: usize) -> Vec<Segment> {
+    let (ahead, behind) = path.split_at(to);
+    let length = |s: &[Segment]| s.iter().map(Segment::length).sum::<f64>();
+    if length(ahead) <= length(behind) { ahead.to_vec() } else { behind.iter().rev().map(Segment::reversed).collect() }
 }
 
 #[cfg(test)]

@@ -8,13 +8,12 @@ use super::forest::{Area, Forest};
 use super::job::RoughJob;
 use super::level::Level;
 use crate::PocketJob;
-use crate::plan::{EntryKind, Group, Link, LinkKind, PlannedLoop};
+use crate::plan::{EntryKind, Group, Link, LinkKind, PlannedLoop, oriented, shorter_way};
 use pocketry_geom::distance::Boundary;
 use pocketry_geom::index::SegmentIndex;
 use pocketry_geom::offset::Offset;
 use pocketry_geom::tolerance::{LANDING, LANDING_SNAP};
 use pocketry_geom::{Point, Segment, Vec2};
-use pocketry_motion::Direction;
 
 /// From where it is, the tool goes to loops up to so many stepovers away.
 const STRAIGHT_ON: f64 = 1.5;
@@ -97,7 +96,7 @@ impl Chains<'_> {
         let from = last[best.0].start();
         let (track, segment, s) = places[index.nearest(from)?.0];
         let at = self.place(&s, from);
-        let mut way = along(last, best.0);
+        let mut way = shorter_way(last, best.0);
         if at != from {
             let step = Segment::line(from, at);
             if self.walls.distance_to(&step) < self.least {
@@ -169,10 +168,7 @@ impl Chains<'_> {
 
     fn push(&mut self, landing: Landing, group: usize) {
         let track = &self.forest.tracks[landing.track];
-        let mut segments = from(&track.segments, landing);
-        if self.job.direction == Direction::Conventional {
-            segments = segments.iter().rev().map(Segment::reversed).collect();
-        }
+        let segments = oriented(&from(&track.segments, landing), self.job.direction);
         self.last = Some(segments.clone());
         let (distance, level) = (track.distance, track.level);
         self.level.loops.push(PlannedLoop { segments, distance, level, group, degenerate: false });
@@ -193,11 +189,4 @@ fn from(path: &[Segment], landing: Landing) -> Vec<Segment> {
         out.push(before);
     }
     out
-}
-
-/// The way along a closed path from its start to the start of a segment, the shorter way round.
-fn along(path: &[Segment], to: usize) -> Vec<Segment> {
-    let (ahead, behind) = path.split_at(to);
-    let length = |s: &[Segment]| s.iter().map(Segment::length).sum::<f64>();
-    if length(ahead) <= length(behind) { ahead.to_vec() } else { behind.iter().rev().map(Segment::reversed).collect() }
 }

@@ -1,33 +1,24 @@
 //! From chains to moves.
 
 use super::tree::Forest;
-use super::walk::{Chain, Cut};
+use super::walk::Chain;
 use crate::job::PocketJob;
-use crate::plan::moves::{Writer, rounds};
+use crate::plan::moves::{Writer, at_every_depth, oriented, passes_of, rounds};
 use crate::plan::{EntryKind, Group, Link, Plan, PlannedLoop, Warning};
 use pocketry_geom::Segment;
-use pocketry_motion::{Direction, FeedKind};
+use pocketry_motion::FeedKind;
 
 /// Writes every chain at every depth.
 pub(super) fn write(forest: &Forest, chains: &[Chain], job: &PocketJob, stepover: f64) -> Plan {
-    let passes = (job.stock.depth / job.stepdown).ceil().max(1.0) as usize;
+    let passes = passes_of(job);
     let mut plan = Plan { passes, ..Plan::default() };
     let deepest = forest.parts.iter().map(|p| p.level).max().unwrap_or(0);
     let travelled: Vec<Travelled> = chains.iter().map(|c| Travelled::new(c, job)).collect();
     for (group, t) in travelled.iter().enumerate() {
         t.describe(group, stepover, deepest, &mut plan);
     }
-    let mut writer = Writer::new(job);
-    for same_pocket in travelled.chunk_by(|a, b| a.chain.pocket == b.chain.pocket) {
-        for pass in 0..passes {
-            for (k, t) in same_pocket.iter().enumerate() {
-                writer.approach(t.chain.cuts[0].start(), pass == 0 && k == 0);
-                t.cut(&mut writer, pass, passes);
-            }
-        }
-    }
-    writer.lift(job.heights.clearance);
-    plan.program.moves = writer.into_moves();
+    let (pocket, start) = (|t: &Travelled<'_>| t.chain.pocket, |t: &Travelled<'_>| t.chain.cuts[0].start());
+    plan.program.moves = at_every_depth(&travelled, job, pocket, start, |w, t, pass| t.cut(w, pass, passes));
     plan
 }
 
@@ -41,13 +32,7 @@ struct Travelled<'a> {
 
 impl<'a> Travelled<'a> {
     fn new(chain: &'a Chain, job: &'a PocketJob) -> Self {
-        let oriented = |cut: &Cut| -> Vec<Segment> {
-            match job.direction {
-                Direction::Climb => cut.segments.clone(),
-                Direction::Conventional => cut.segments.iter().rev().map(Segment::reversed).collect(),
-            }
-        };
-        let cuts: Vec<Vec<Segment>> = chain.cuts.iter().map(oriented).collect();
+        let cuts: Vec<Vec<Segment>> = chain.cuts.iter().map(|c| oriented(&c.segments, job.direction)).collect();
         // A helix would need room for the profile beside the loop; a ramp along the loop has it.
         let long = cuts[0].iter().map(Segment::length).sum::<f64>() >= job.entry.least_ramp * job.tool.radius();
         Self { chain, entry: if long { EntryKind::Ramp } else { EntryKind::Plunge }, cuts, job }

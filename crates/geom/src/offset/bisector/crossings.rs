@@ -66,6 +66,17 @@ impl Finder {
     }
 }
 
+/// Tests all pairs of segments near one another, until one is undecided.
+fn try_pairs(
+    index: &SegmentIndex,
+    mut test: impl FnMut(usize, usize) -> Result<(), Undecided>,
+) -> Result<(), Undecided> {
+    match index.visit_pairs(0.0, |a, b| test(a, b).map_or_else(ControlFlow::Break, ControlFlow::Continue)) {
+        ControlFlow::Break(undecided) => Err(undecided),
+        ControlFlow::Continue(()) => Ok(()),
+    }
+}
+
 impl<'a> Arrangement<'a> {
     /// Finds all crossings.
     pub(super) fn new(raw: &'a Raw) -> Result<Self, Undecided> {
@@ -106,15 +117,7 @@ impl<'a> Arrangement<'a> {
         let living: Vec<usize> = (0..self.next.len()).filter(|&k| !self.dead[k]).collect();
         let segments: Vec<Segment> = living.iter().map(|&k| Segment::line(self.edge(k)[0], self.edge(k)[1])).collect();
         let mut pairs = Vec::new();
-        let flow = SegmentIndex::new(&segments).visit_pairs(0.0, |a, b| {
-            match self.crosses(living[a], living[b], &mut pairs) {
-                Ok(()) => ControlFlow::Continue(()),
-                Err(undecided) => ControlFlow::Break(undecided),
-            }
-        });
-        if let ControlFlow::Break(undecided) = flow {
-            return Err(undecided);
-        }
+        try_pairs(&SegmentIndex::new(&segments), |a, b| self.crosses(living[a], living[b], &mut pairs))?;
         pairs.sort_unstable();
         pairs.dedup();
         Ok(pairs)
@@ -136,18 +139,10 @@ impl<'a> Arrangement<'a> {
 
     fn crossing_pairs(&self) -> Result<Vec<(u32, u32)>, Undecided> {
         let mut pairs = Vec::new();
-        let mut test = |a: usize, b: usize| self.crosses(a, b, &mut pairs);
+        let test = |a: usize, b: usize| self.crosses(a, b, &mut pairs);
         match &self.finder {
             Finder::Grid(grid) => grid.pairs(test)?,
-            Finder::Tree(tree, _) => {
-                let flow = tree.visit_pairs(0.0, |a, b| match test(a, b) {
-                    Ok(()) => ControlFlow::Continue(()),
-                    Err(undecided) => ControlFlow::Break(undecided),
-                });
-                if let ControlFlow::Break(undecided) = flow {
-                    return Err(undecided);
-                }
-            }
+            Finder::Tree(tree, _) => try_pairs(tree, test)?,
         }
         pairs.sort_unstable();
         pairs.dedup();

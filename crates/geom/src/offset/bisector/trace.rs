@@ -17,12 +17,6 @@ use std::ops::Range;
 /// The loops with winding number 1 on their left.
 pub(super) fn loops(curves: &Arrangement) -> Result<Vec<Vec<Point>>, Undecided> {
     let mut tracer = Tracer::new(curves);
-    let mut begin = 0;
-    for (number, &end) in curves.raw.ends.iter().enumerate() {
-        tracer.split(number, begin..end as usize);
-        begin = end as usize;
-    }
-    tracer.follow();
     tracer.wind()?;
     tracer.selected()
 }
@@ -30,13 +24,7 @@ pub(super) fn loops(curves: &Arrangement) -> Result<Vec<Vec<Point>>, Undecided> 
 /// The same where edges that are surely covered have no passages: a loop of the offset has no such edge, and its winding number
 /// is counted at a place of it.
 pub(super) fn uncovered_loops(curves: &Arrangement, covered: &Covered) -> Result<Vec<Vec<Point>>, Undecided> {
-    let mut tracer = Tracer::new(curves);
-    let mut begin = 0;
-    for (number, &end) in curves.raw.ends.iter().enumerate() {
-        tracer.split(number, begin..end as usize);
-        begin = end as usize;
-    }
-    tracer.follow();
+    let tracer = Tracer::new(curves);
     let mut out = Vec::new();
     for part in (0..tracer.parts.len()).filter(|&p| tracer.parts[p].1.is_empty()) {
         let corners = tracer.parts[part].0.clone();
@@ -68,10 +56,11 @@ struct Tracer<'a> {
 }
 
 impl<'a> Tracer<'a> {
+    /// All loops of the curves, not yet wound.
     fn new(curves: &'a Arrangement<'a>) -> Self {
         let n = curves.passages.len();
         let (part_of, following) = (Vec::with_capacity(n), Vec::with_capacity(n));
-        Self {
+        let mut tracer = Self {
             curves,
             parts: Vec::new(),
             part_of,
@@ -79,7 +68,14 @@ impl<'a> Tracer<'a> {
             traced: vec![u32::MAX; n],
             firsts: Vec::new(),
             winding: Vec::new(),
+        };
+        let mut begin = 0;
+        for (number, &end) in curves.raw.ends.iter().enumerate() {
+            tracer.split(number, begin..end as usize);
+            begin = end as usize;
         }
+        tracer.follow();
+        tracer
     }
 
     /// The passages of one raw loop.
