@@ -63,15 +63,14 @@ fn first_side(pieces: &[Piece], fans: &Fans, at: Point, piece: usize, inside: bo
     let Piece { segment, from, to, .. } = pieces[piece];
     // Where an arc's leftmost point all but coincides with its end, the order around that vertex decides better.
     let near = if let Segment::Arc(a) = segment { TANGENT * a.radius } else { 0.0 };
-    let vertex = if at.distance(segment.start()) <= near {
-        from
-    } else if at.distance(segment.end()) <= near {
-        to
-    } else {
+    // Of a short arc of a large circle both ends may be near.
+    let (to_start, to_end) = (at.distance(segment.start()), at.distance(segment.end()));
+    if to_start.min(to_end) > near {
         // The leftmost point of an arc's inside: a counter-clockwise arc runs downwards there.
         let ccw = matches!(segment, Segment::Arc(a) if a.ccw);
         return (2 * piece as u32, inside != ccw);
-    };
+    }
+    let vertex = if to_start <= to_end { from } else { to };
     (fans.last(pieces, vertex), inside)
 }
 

@@ -310,3 +310,15 @@ fn an_arc_whose_centre_is_beyond_all_counting_is_a_flat_wall() {
         assert!((heal(loops).region.area() - 810_000.0).abs() < 0.01);
     }
 }
+
+/// Once inside out: both ends of the short arc counted as its leftmost point, and the wrong one was taken.
+#[test]
+fn a_short_arc_of_a_large_circle_at_the_leftmost_corner_decides_by_its_nearer_end() {
+    let (corner, beside) = ([0.0, 0.0], [0.25, -0.0001]);
+    let [x, y] = corner;
+    let down = [[x, y, 0.0], [0.5, -2.0, 0.0], [6.0, -2.0, 0.0], [6.0, -0.0001, 0.0]];
+    for bulge in [-2e-4, 2e-4] {
+        let loops = vec![contour(&[&down[..], &[[beside[0], beside[1], bulge]]].concat())];
+        assert!(heal(loops).region.area() > 0.0, "{bulge}");
+    }
+}

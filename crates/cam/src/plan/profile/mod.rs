@@ -70,7 +70,7 @@ pub fn plan_profile(region: &Region, profile: &ToolProfile, job: &PocketJob) -> 
             height: profile.contour().bbox().height(),
         });
     }
-    let forest = tree::Forest::new(first, &step(profile, radius, stepover / radius))?;
+    let forest = tree::Forest::new(&first, &step(profile, radius, stepover / radius))?;
     let chains = walk::chains(&forest);
     let mut plan = moves::write(&forest, &chains, job, stepover);
     warnings.append(&mut plan.warnings);

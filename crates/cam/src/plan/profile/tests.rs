@@ -179,6 +179,25 @@ fn every_pass_goes_over_every_loop() {
     assert_eq!(cuts(&three), 3 * cuts(&one));
 }
 
+/// Once a way across a wall: what came of one part hung on another, which none of a few points of its outline seemed to lie in.
+#[test]
+fn parts_hang_on_the_part_they_come_from() {
+    let rings = |k: i32| {
+        let x = 30.0 * f64::from(k);
+        [[x, 0.0, 0.0], [x + 20.0, 0.0, 0.0], [x + 12.0, 24.0, 0.0], [x + 8.0, 24.0, 0.0]]
+    };
+    let all: Vec<[[f64; 3]; 4]> = (0..5).map(rings).collect();
+    let region = region(&all.iter().map(|r| &r[..]).collect::<Vec<_>>());
+    let profile = tool("rect:4x2");
+    let plan = plan_profile(&region, &profile, &job(&profile, 0.9)).unwrap();
+    let inside = |cut: &crate::plan::PlannedLoop| (cut.segments[0].start().x / 30.0).floor() as usize;
+    for pocket in 0..5 {
+        let groups: Vec<usize> = plan.loops.iter().filter(|l| inside(l) == pocket).map(|l| l.group).collect();
+        assert!(groups.len() > 3 && groups.iter().all(|g| *g == groups[0]), "{pocket}: {groups:?}");
+    }
+    assert!(plan.links.iter().flat_map(|l| &l.segments).all(|s| s.length() < 4.0));
+}
+
 /// Area of the squares of a grid whose middles lie in the region and are covered nowhere on the path, mm².
 fn left_standing(region: &Region, profile: &ToolProfile, path: &[Segment], grid: f64) -> f64 {
     let shape = Boundary::new(&Region::from_parts_unchecked(vec![profile.contour().clone()], vec![None]));

@@ -3,12 +3,11 @@
 use super::MOST_LEVELS;
 use crate::plan::PlanError;
 use pocketry_geom::distance::Boundary;
-use pocketry_geom::offset::morphology::eroded;
+use pocketry_geom::offset::morphology::{MorphologyError, eroded};
 use pocketry_geom::{Contour, Point, Region};
 
-/// Points of a part's outline that say which part is around it, and where on their segments they lie.
-const VOTES: usize = 9;
-const VOTE_AT: f64 = 0.437;
+/// Shares of the step that are tried where it is refused.
+const SMALLER_STEPS: [f64; 3] = [0.97, 0.93, 0.88];
 
 /// A connected part of an erosion.
 #[derive(Clone, Debug)]
@@ -32,25 +31,21 @@ pub(super) struct Forest {
 }
 
 impl Forest {
-    /// The parts of `first` and of its successive erosions by `step`.
-    pub(super) fn new(first: Region, step: &Contour) -> Result<Self, PlanError> {
-        let mut forest = Self { parts: Vec::new(), roots: Vec::new(), limit: Boundary::new(&first) };
-        let mut parents: Vec<u32> = Vec::new();
-        let mut region = first;
-        for level in 0..MOST_LEVELS {
-            let new = forest.add(&region, level);
-            if level == 0 {
-                forest.roots.clone_from(&new);
-            } else {
-                forest.hang(&new, &parents);
+    /// The parts of `first` and of its successive erosions by `step`. Each part is eroded on its own: the step is connected, so that
+    /// what comes of a part lies inside it.
+    pub(super) fn new(first: &Region, step: &Contour) -> Result<Self, PlanError> {
+        let mut forest = Self { parts: Vec::new(), roots: Vec::new(), limit: Boundary::new(first) };
+        forest.roots = forest.add(first, 0);
+        let mut next = 0;
+        while let Some(part) = forest.parts.get(next) {
+            if part.level >= MOST_LEVELS {
+                return Err(PlanError::Job { what: "stepover", value: step.bbox().size() });
             }
-            region = eroded(&region, step, Point::ORIGIN)?;
-            if region.contours().is_empty() {
-                return Ok(forest);
-            }
-            parents = new;
+            let (level, inner) = (part.level + 1, shrunk(&part.region(), step)?);
+            forest.parts[next].children = forest.add(&inner, level);
+            next += 1;
         }
-        Err(PlanError::Job { what: "stepover", value: step.bbox().size() })
+        Ok(forest)
     }
 
     fn add(&mut self, region: &Region, level: usize) -> Vec<u32> {
@@ -62,24 +57,26 @@ impl Forest {
         }));
         (first..self.parts.len() as u32).collect()
     }
+}
 
-    /// Hangs each part on the one around it.
-    fn hang(&mut self, parts: &[u32], parents: &[u32]) {
-        let regions: Vec<Region> = parents.iter().map(|&p| self.region(p)).collect();
-        let boxes: Vec<_> = regions.iter().map(Region::bbox).collect();
-        for &part in parts {
-            // Rounding may misplace one point, or leave a thin part beside all others.
-            let outline = &self.parts[part as usize].contours[0].segments;
-            let points: Vec<_> = outline.iter().step_by(outline.len().div_ceil(VOTES)).map(|s| s.at(VOTE_AT)).collect();
-            let votes = |k: usize| points.iter().filter(|p| boxes[k].contains(**p) && regions[k].contains(**p)).count();
-            let found = (0..parents.len()).max_by_key(|&k| (votes(k), std::cmp::Reverse(k))).unwrap_or(0);
-            self.parts[parents[found] as usize].children.push(part);
-        }
-    }
+/// A part eroded by a step, or by a somewhat smaller one: any part of the step leaves nothing either (about its reference point, the
+/// mean of its corners), and where one runs into places that coincide within rounding, another doesn't.
+fn shrunk(region: &Region, step: &Contour) -> Result<Region, MorphologyError> {
+    let first = eroded(region, step, Point::ORIGIN);
+    SMALLER_STEPS.iter().fold(first, |done, &share| {
+        done.or_else(|refused| eroded(region, &scaled(step, share), Point::ORIGIN).map_err(|_| refused))
+    })
+}
 
-    fn region(&self, part: u32) -> Region {
-        let contours = self.parts[part as usize].contours.clone();
-        let parents = (0..contours.len()).map(|k| (k > 0).then_some(0)).collect();
-        Region::from_parts_unchecked(contours, parents)
+/// A contour scaled about the origin.
+fn scaled(contour: &Contour, share: f64) -> Contour {
+    let vertices = contour.to_vertices();
+    Contour::from_vertices(&vertices.into_iter().map(|[x, y, bulge]| [share * x, share * y, bulge]).collect::<Vec<_>>())
+}
+
+impl Part {
+    fn region(&self) -> Region {
+        let parents = (0..self.contours.len()).map(|k| (k > 0).then_some(0)).collect();
+        Region::from_parts_unchecked(self.contours.clone(), parents)
     }
 }
