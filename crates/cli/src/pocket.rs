@@ -57,10 +57,9 @@ fn said(target: &Path, proven: &Proven) -> String {
     if let Some(section) = &proven.setup.profile {
         return said_of_profile(target, proven, section);
     }
-    let share = if proof.region_area > 0.0 { 100.0 * proof.unreachable_area / proof.region_area } else { 0.0 };
     format!(
         "{}: {} loops, {} mm of cutting, {} retracts, about {}\n\
-         proven: deepest gouge {} mm, everything cut that a {} mm tool can reach; it can't reach {} mm² ({share:.1} %)\n",
+         proven: deepest gouge {} mm, everything cut that a {} mm tool can reach{}\n",
         target.display(),
         proven.plan.loops.len(),
         figure(figures.cut_length),
@@ -68,8 +67,15 @@ fn said(target: &Path, proven: &Proven) -> String {
         duration(figures.machine_seconds),
         figure(proof.gouge_depth()),
         figure(proven.setup.job.tool.diameter),
-        figure(proof.unreachable_area),
+        out_of_reach(proof),
     )
+}
+
+/// What the tool can't reach, where that is known.
+pub(crate) fn out_of_reach(proof: &pocketry_verify::Report) -> String {
+    let Some(area) = proof.known_unreachable_area() else { return String::new() };
+    let share = if proof.region_area > 0.0 { 100.0 * area / proof.region_area } else { 0.0 };
+    format!("; it can't reach {} mm² ({share:.1} %)", figure(area))
 }
 
 fn said_of_profile(target: &Path, proven: &Proven, section: &Section) -> String {

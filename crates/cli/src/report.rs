@@ -121,8 +121,7 @@ impl JobReport {
     pub(crate) fn set_proof(&mut self, proof: &pocketry_verify::Report) {
         self.gouge = Some(proof.gouge_depth());
         self.uncut_area = Some(proof.uncut_area);
-        // Areas are not measured for tool profiles.
-        self.unreachable_area = (proof.area_error < proof.region_area).then_some(proof.unreachable_area);
+        self.unreachable_area = proof.known_unreachable_area();
     }
 
     pub(crate) fn fail(&mut self, failure: &Failure) {

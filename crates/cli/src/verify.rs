@@ -6,6 +6,7 @@ use crate::drawing;
 use crate::failure::{Exit, Failure};
 use crate::job::places;
 use crate::output::{print, write_file};
+use crate::pocket::out_of_reach;
 use crate::report::NOT_PROVEN;
 use crate::tool_profile::Section;
 use pocketry_verify::{ProgramError, Report, VerifyOptions, verify_profile};
@@ -44,11 +45,10 @@ pub(crate) fn run(args: &VerifyArgs) -> Result<(), Failure> {
     let options = VerifyOptions { stock_to_leave: args.stock_to_leave, top: args.top, ..VerifyOptions::new(radius) };
     let said = |proof: &Report| {
         format!(
-            "proven: deepest gouge {} mm, everything cut that a {} mm tool can reach; it can't reach {} mm² of {} mm²\n",
+            "proven: deepest gouge {} mm, everything cut that a {} mm tool can reach{}\n",
             figure(proof.gouge_depth()),
             figure(2.0 * radius),
-            figure(proof.unreachable_area),
-            figure(proof.region_area),
+            out_of_reach(proof),
         )
     };
     told(args, pocketry_verify::verify(&drawing.region, &text, &options), said)

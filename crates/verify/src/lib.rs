@@ -76,7 +76,7 @@ pub fn verify(region: &Region, program: &str, options: &VerifyOptions) -> Result
         region_area,
         reachable_area: reachable.area.min(region_area),
         unreachable_area: (region_area - reachable.area).max(0.0),
-        area_error: if reachable.closed { budget.reach * walls.length() } else { region_area },
+        area_error: (budget.reach * walls.length() + reachable.area_error).min(region_area),
         rapids_below: limits.rapids_below,
         unknown_height: limits.unknown_height,
         unbounded_blending: blending,

@@ -12,6 +12,9 @@ use pocketry_geom::{Arc, Point, Segment, Vec2};
 use rayon::prelude::*;
 use std::collections::HashMap;
 
+/// Factor by which the reach grows in the search for gaps.
+const WIDENED: f64 = 8.0;
+
 /// Which side of a directed curve.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Side {
@@ -128,8 +131,6 @@ pub(crate) struct Loop {
     pub(crate) pieces: Vec<u32>,
     /// Signed area, mm², the gaps closed by straight lines.
     pub(crate) area: f64,
-    /// Whether every piece had a follower.
-    pub(crate) closed: bool,
 }
 
 /// The closed walks that linked pieces make; a walk that can't go on is closed by a straight line.
@@ -153,9 +154,30 @@ pub(crate) fn loops(pieces: &[Segment], next: &[Option<u32>]) -> Vec<Loop> {
             at = next[k as usize];
         }
         let area = walk_area(pieces, &walk);
-        out.push(Loop { pieces: walk, area, closed: at == Some(first as u32) });
+        out.push(Loop { pieces: walk, area });
     }
     out
+}
+
+/// The area that pieces enclose, which lie around it counter-clockwise but for small gaps, and a bound of its error; infinite
+/// where an end has no follower within `widest`.
+///
+/// Gaps are looked for from `reach` on. A line closes them: what is missing there leaves it by no more than its length.
+pub(crate) fn enclosed_area(pieces: &[Segment], reach: f64, widest: f64) -> (f64, f64) {
+    let Some(first) = pieces.first() else { return (0.0, 0.0) };
+    let origin = first.start();
+    let area = 0.5 * pieces.iter().map(|s| s.area_twice(origin)).sum::<f64>();
+    let mut reach = reach;
+    while reach < widest {
+        let next: Option<Vec<u32>> = links(pieces, reach).into_iter().collect();
+        if let Some(next) = next {
+            let ends = || pieces.iter().zip(&next).map(|(s, &n)| (s.end(), pieces[n as usize].start()));
+            let joined = 0.5 * ends().map(|(a, b)| (a - origin).cross(b - origin)).sum::<f64>();
+            return (area + joined, ends().map(|(a, b)| a.distance_squared(b)).sum());
+        }
+        reach *= WIDENED;
+    }
+    (area, f64::INFINITY)
 }
 
 fn walk_area(pieces: &[Segment], walk: &[u32]) -> f64 {

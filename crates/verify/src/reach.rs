@@ -66,11 +66,8 @@ impl Centers {
             }
         }
         let pieces = outline::exposed(&curves, &self.tree, radius - self.rounding);
-        let next = outline::links(&pieces, reach);
-        let loops = outline::loops(&pieces, &next);
-        let area = loops.iter().map(|l| l.area).sum::<f64>().max(0.0);
-        let closed = loops.iter().all(|l| l.closed);
-        Opening { pieces, area, closed }
+        let (area, area_error) = outline::enclosed_area(&pieces, reach, radius);
+        Opening { pieces, area: area.max(0.0), area_error }
     }
 
     /// How far the ends of pieces that belong together may lie apart: a cut at a grazing angle moves by the root of the
@@ -85,8 +82,8 @@ pub(crate) struct Opening {
     pub(crate) pieces: Vec<Segment>,
     /// mm².
     pub(crate) area: f64,
-    /// Whether the outline closes, as it must; else the area is a guess.
-    pub(crate) closed: bool,
+    /// What gaps in the outline may make of it at most, mm².
+    pub(crate) area_error: f64,
 }
 
 /// The sector about a reflex corner. At a cusp (a turn of half a circle) the sign of the turn tells nothing; the sector

@@ -85,7 +85,8 @@ pub struct Report {
     pub reachable_area: f64,
     /// Area that the tool can't cut, mm².
     pub unreachable_area: f64,
-    /// Bound of the error in the two areas, mm²: the reach tolerance times the walls' length.
+    /// Bound of the error in the two areas, mm²: the reach tolerance times the walls' length, and what gaps in the outline may make;
+    /// the region's area where they are not known.
     pub area_error: f64,
     /// Rapid moves below the stock's top, straight retracts apart.
     pub rapids_below: Vec<Violation>,
@@ -107,6 +108,11 @@ impl Report {
     /// How deep the tool enters a wall at worst, mm.
     pub fn gouge_depth(&self) -> f64 {
         self.gouge.map_or(0.0, |g| g.depth)
+    }
+
+    /// Area that the tool can't cut, mm², where it was measured.
+    pub fn known_unreachable_area(&self) -> Option<f64> {
+        (self.area_error < self.region_area).then_some(self.unreachable_area)
     }
 
     /// Whether the program does what it should and nothing that it should not.

@@ -328,3 +328,20 @@ fn what_is_left_round_a_swept_middle_is_told_without_its_hole() {
     let expected = (28.0 - 2.0 * c).powi(2) - 36.0 - 24.0 * r - std::f64::consts::PI * r * r;
     assert!((report.uncut_area - expected).abs() < 1e-3, "{} {expected}", report.uncut_area);
 }
+
+#[test]
+fn what_can_not_be_reached_is_measured_in_spite_of_gaps_in_the_outline() {
+    // Short pieces of the outline are lost at grazing angles: each gap closed for itself left out what lay between them all.
+    let bay = |t: f64| 1.0 - 0.55 * (-((t - 1.5) / 0.25).powi(2)).exp();
+    let ripple = |t: f64| 1.0 + 0.02 * (31.0 * t).sin() + 0.008 * (97.0 * t).cos() + 0.1 * (3.0 * t).sin();
+    let at = |k: i32| {
+        let t = std::f64::consts::TAU * f64::from(k) / 1500.0;
+        let r = 80.0 * bay(t) * ripple(t);
+        [r * t.cos(), r * t.sin(), 0.0]
+    };
+    let corners: Vec<[f64; 3]> = (0..1500).map(at).collect();
+    let cavity = Region::from_parts_unchecked(vec![Contour::from_vertices(&corners)], vec![None]);
+    let report = verify(&cavity, &right(), &VerifyOptions::new(10.0)).unwrap();
+    assert!(report.area_error < 0.001 * report.region_area, "{}", report.area_error);
+    assert!((0.01..0.03).contains(&(report.unreachable_area / report.region_area)), "{}", report.unreachable_area);
+}
