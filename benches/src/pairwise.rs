@@ -1,11 +1,12 @@
-//! The pair-wise engine: single offsets and the family of figure 14 (tool radius 10, interval 15) on the die cavities of 3,500
-//! and 4,000 points, against `cavalier_contours` (bare offsets) in the same run; growth from 1e3 to 1e5 points, of one shape
+//! The pair-wise engine: single offsets, the family of figure 14 (tool radius 10, interval 15) and its whole plan with clean-up
+//! paths on the die cavities of 3,500 and 4,000 points, against `cavalier_contours` (bare offsets) in the same run; growth from 1e3 to 1e5 points, of one shape
 //! sampled ever more finely and of one that has ever more parts.
 //!
 //! `cargo run --release -p pocketry-benches --bin pairwise`. The best of several runs counts.
 
 use cavalier_contours::polyline::{PlineSource, PlineSourceMut, Polyline};
 use cavalier_contours::shape_algorithms::Shape;
+use pocketry_cam::{PocketJob, plan_pairwise};
 use pocketry_geom::Region;
 use pocketry_geom::offset::PairwiseEngine;
 use pocketry_testkit::{Loops, corpus, shapes};
@@ -28,6 +29,12 @@ fn main() -> Result<(), Box<dyn Error>> {
             family.len(),
             theirs / ours
         );
+        let job = PocketJob { stepover: 15.0, ..PocketJob::for_diameter(20.0) };
+        for (what, cleanup) in [("bare", false), ("with clean-up", true)] {
+            let job = PocketJob { cleanup, ..job.clone() };
+            let planned = best(20, || plan_pairwise(black_box(&region), &job));
+            println!("die-{n}: plan {what} {planned:.2} ms: {:.1} x", theirs / planned);
+        }
         println!("die-{n}: one offset {one:.2} ms, cavalier_contours {their_one:.2} ms: {:.1} x", their_one / one);
     }
     growth("die cavity at 5 mm", |n| Ok((corpus::region(&shapes::die_cavity(n))?, 5.0)))?;
