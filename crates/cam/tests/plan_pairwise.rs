@@ -4,6 +4,7 @@ use pocketry_cam::{Plan, PlanError, PocketJob, Uncut, plan, plan_pairwise};
 use pocketry_geom::repair::{self, RepairOptions};
 use pocketry_geom::skeleton::Skeleton;
 use pocketry_geom::{Contour, Region};
+use pocketry_testkit::{corpus, shapes};
 
 fn region(loops: &[&[[f64; 3]]]) -> Region {
     let contours = loops.iter().map(|l| Contour::from_vertices(l)).collect();
@@ -46,6 +47,17 @@ fn a_dumbbell_has_a_neck_for_both_engines() {
     let [pairwise, exact] = both(&region(&[&points]), 0.9);
     assert!(of_kind(&pairwise, Uncut::Neck).0 > 0 || of_kind(&exact, Uncut::Neck).0 == 0);
     assert_eq!(of_kind(&pairwise, Uncut::Neck).0, of_kind(&exact, Uncut::Neck).0);
+}
+
+#[test]
+fn a_fan_of_branches_is_cut_back_from_its_trunk() {
+    // Tips of neighbours lie nearer to one another than to the trunk: joined, each branch was travelled out and back.
+    let cavity = corpus::region(&shapes::die_cavity(1500)).unwrap();
+    let job = PocketJob { stepover: 19.9, ..PocketJob::for_diameter(20.0) };
+    let plans =
+        [plan_pairwise(&cavity, &job).unwrap(), plan(&cavity, &Skeleton::build(&cavity).unwrap(), &job).unwrap()];
+    let [pairwise, exact] = plans.map(|p| p.cleanups.iter().map(|c| c.length).sum::<f64>());
+    assert!(exact > 0.0 && pairwise < 1.25 * exact, "{pairwise} {exact}");
 }
 
 #[test]

@@ -22,6 +22,9 @@ pub(super) struct Curve {
     pub(super) closed: bool,
 }
 
+/// How far a place is, and which it is.
+type Nearest = Option<(f64, u32)>;
+
 /// Gathers places and ways.
 pub(super) struct Builder {
     low: f64,
@@ -33,6 +36,8 @@ pub(super) struct Builder {
     /// The fibre of each place that has one.
     fibres: Vec<Option<Fibre>>,
     ways: Vec<Way>,
+    /// The chain of each place, by its number.
+    chains: Vec<u32>,
     /// Places where chains end.
     ends: Vec<u32>,
     /// Degenerate vertices that curves start from or end at.
@@ -42,15 +47,29 @@ pub(super) struct Builder {
 
 impl Builder {
     pub(super) fn new(low: f64, allowance: f64, radius: f64) -> Self {
-        let (places, fibres, ways, ends) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        Self { low, allowance, gap: radius, places, fibres, ways, ends, wanted: HashSet::new(), roots: Vec::new() }
+        let (places, fibres, ways, chains, ends) = (Vec::new(), Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        Self {
+            low,
+            allowance,
+            gap: radius,
+            places,
+            fibres,
+            ways,
+            chains,
+            ends,
+            wanted: HashSet::new(),
+            roots: Vec::new(),
+        }
     }
 
-    fn add_place(&mut self, at: Point, clearance: f64, fibre: Option<Fibre>) -> u32 {
+    /// Adds a place to the chain that `before` belongs to, or to a new one.
+    fn add_place(&mut self, at: Point, clearance: f64, fibre: Option<Fibre>, before: Option<u32>) -> u32 {
         let reach = (clearance - self.low).max(0.0) + self.allowance;
+        let place = self.places.len() as u32;
         self.places.push(Place { at, reach });
         self.fibres.push(fibre);
-        self.places.len() as u32 - 1
+        self.chains.push(before.map_or(place, |k| self.chains[k as usize]));
+        place
     }
 
     fn join(&mut self, a: u32, b: u32) {
@@ -74,7 +93,7 @@ impl Builder {
                     self.places[k as usize].reach = self.places[k as usize].reach.max(reach);
                 }
                 _ => {
-                    let next = self.add_place(fibre.end, fibre.clearance, Some(*fibre));
+                    let next = self.add_place(fibre.end, fibre.clearance, Some(*fibre), chain);
                     match chain {
                         Some(k) => self.join(k, next),
                         None => self.ends.push(next),
@@ -93,7 +112,7 @@ impl Builder {
     /// A degenerate vertex, which counts if a curve starts or ends there.
     pub(super) fn add_root(&mut self, at: Point, clearance: f64) {
         if self.wanted.remove(&bits(at)) {
-            let place = self.add_place(at, clearance, None);
+            let place = self.add_place(at, clearance, None, None);
             self.roots.push((place, at));
             self.ends.push(place);
         }
@@ -145,24 +164,36 @@ impl Builder {
         pieces.into_values().filter(|p| p.places.iter().any(|place| place.reach > least)).collect()
     }
 
-    /// Whether a place is where a branch comes down to the lower clearance: nothing goes on from there.
+    /// Whether a place is where a branch comes down to the lower clearance: nothing goes on from there. Tips of a fan of
+    /// branches lie nearer to one another than to the trunk from which they come.
     fn is_tip(&self, place: u32) -> bool {
-        self.fibres[place as usize].is_some_and(|f| f.clearance <= self.low)
+        self.fibres[place as usize].is_some_and(|f| f.clearance <= self.low + MERGED * self.allowance)
     }
 
-    /// Joins parts to the nearest others within the gap.
+    /// Joins parts to the nearest others within the gap. An end of a part that has a root is done with when the nearest
+    /// place of another chain is of the same part: what is near it belongs to other roots.
     fn link(&mut self, sets: &mut DisjointSets) -> bool {
+        let rooted: HashSet<u32> = self.roots.iter().map(|r| sets.find(r.0)).collect();
         let mut found: Vec<(f64, u32, u32)> = Vec::new();
         for &end in self.ends.iter().filter(|&&k| !self.is_tip(k)) {
             let (own, at) = (sets.find(end), self.places[end as usize].at);
-            let mut best: Option<(f64, u32)> = None;
+            let chain = self.chains[end as usize];
+            let (mut other_part, mut other_chain) = (Nearest::None, Nearest::None);
             for (k, place) in (0..).zip(&self.places) {
                 let far = place.at.distance(at);
-                if far <= best.map_or(self.gap, |b| b.0) && !self.is_tip(k) && sets.find(k) != own {
-                    best = Some((far, k));
+                let is_nearer = |best: Nearest| far <= best.map_or(self.gap, |b| b.0);
+                if self.chains[k as usize] == chain || self.is_tip(k) || !is_nearer(other_part) {
+                    continue;
+                }
+                if is_nearer(other_chain) {
+                    other_chain = Some((far, k));
+                }
+                if sets.find(k) != own {
+                    other_part = Some((far, k));
                 }
             }
-            found.extend(best.map(|(far, k)| (far, end, k)));
+            let is_done = rooted.contains(&own) && other_chain.is_some_and(|(_, k)| sets.find(k) == own);
+            found.extend(other_part.filter(|_| !is_done).map(|(far, k)| (far, end, k)));
         }
         found.sort_by(|a, b| a.0.total_cmp(&b.0));
         let mut joined = false;
