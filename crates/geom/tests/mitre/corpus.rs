@@ -45,19 +45,15 @@ pub(crate) fn compare(region: &Region, distances: &[f64]) -> Outcome {
         let ours = grid.offset(&offset);
         let too_much = grid.excess(&ours, &grid.inwards(&paths, d - step, LIMIT));
         let too_little = grid.excess(&grid.inwards(&paths, d + step, LIMIT), &ours);
-        let (extra, lost) = (
-            too_much.filter(|&p| !region.contains(p) || covered(region, p, d - 0.5 * step, LIMIT)),
-            too_little.filter(|&p| region.contains(p) && !covered(region, p, d + 0.5 * step, LIMIT)),
-        );
-        if let Some(p) = extra {
-            out.wrong.push(format!("at {d}: too much at {p:?}"));
-        }
-        if let Some(p) = lost {
-            out.wrong.push(format!("at {d}: lost {p:?}"));
-        }
-        if too_much.is_none() && too_little.is_none() {
+        // Where the two differ, the definition judges every part.
+        let extra = too_much.iter().filter(|&&p| !region.contains(p) || covered(region, p, d - 0.5 * step, LIMIT));
+        let lost = too_little.iter().filter(|&&p| region.contains(p) && !covered(region, p, d + 0.5 * step, LIMIT));
+        let before = out.wrong.len();
+        out.wrong.extend(extra.map(|p| format!("at {d}: too much at {p:?}")));
+        out.wrong.extend(lost.map(|p| format!("at {d}: lost {p:?}")));
+        if too_much.is_empty() && too_little.is_empty() {
             out.agree += 1;
-        } else if extra.is_none() && lost.is_none() {
+        } else if out.wrong.len() == before {
             out.peer_wrong += 1;
         }
     }
@@ -87,9 +83,23 @@ fn polygon(record: &Record) -> Option<Region> {
     straight.then_some(region)
 }
 
-/// `POCKETRY_LARGEST` raises the limit of edges; the default keeps this test to seconds.
-fn largest() -> usize {
-    std::env::var("POCKETRY_LARGEST").ok().and_then(|n| n.parse().ok()).unwrap_or(400)
+/// A number from the environment.
+fn number(name: &str, default: usize) -> usize {
+    std::env::var(name).ok().and_then(|n| n.parse().ok()).unwrap_or(default)
+}
+
+/// Which regions are compared. `POCKETRY_LARGEST` raises the limit of edges, whose default keeps the test to seconds;
+/// `POCKETRY_SMALLEST` and `POCKETRY_ONLY` (a part of a name) leave others out, for runs of few large ones.
+fn is_wanted(record: &Record, region: &Region) -> bool {
+    let only = std::env::var("POCKETRY_ONLY").unwrap_or_default();
+    let sizes = number("POCKETRY_SMALLEST", 0)..=number("POCKETRY_LARGEST", 400);
+    record.id.contains(&only) && sizes.contains(&region.edge_count())
+}
+
+/// The radius and the interval meant for a record, mm.
+fn spacing(record: &Record, region: &Region) -> (f64, f64) {
+    let size = region.bbox().size();
+    if record.tool_radius > 0.0 { (record.tool_radius, record.interval) } else { (0.02 * size, 0.03 * size) }
 }
 
 #[test]
@@ -98,10 +108,9 @@ fn polygons_of_the_corpus_agree_with_an_independent_mitre_offset() {
     let (mut total, mut failures, mut regions) = (Outcome::default(), Vec::new(), 0);
     for family in ["param", "adversarial", "icons", "glyphs", "geo", "pcb", "mesh", "issues", "raw"] {
         for record in read(&shared.join(format!("corpus/dev/{family}.jsonl"))).expect("a corpus file") {
-            let Some(region) = polygon(&record).filter(|r| r.edge_count() <= largest()) else { continue };
+            let Some(region) = polygon(&record).filter(|r| is_wanted(&record, r)) else { continue };
             regions += 1;
-            let (r, w) = (record.tool_radius, record.interval);
-            let (r, w) = if r > 0.0 { (r, w) } else { (0.02 * region.bbox().size(), 0.03 * region.bbox().size()) };
+            let (r, w) = spacing(&record, &region);
             let outcome = compare(&region, &[r, r + w, r + 3.0 * w]);
             total.agree += outcome.agree;
             total.peer_wrong += outcome.peer_wrong;

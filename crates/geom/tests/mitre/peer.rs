@@ -41,13 +41,12 @@ impl Grid {
         inflate_paths_64(paths, -distance * self.scale, JoinType::Miter, EndType::Polygon, limit, 0.0)
     }
 
-    /// A point in the largest part of the first that is not in the second; `None` if there is none.
-    pub(crate) fn excess(&self, first: &Paths64, second: &Paths64) -> Option<Point> {
+    /// A point in each part of the first that is not in the second.
+    pub(crate) fn excess(&self, first: &Paths64, second: &Paths64) -> Vec<Point> {
         let parts = difference_64(first, second, FillRule::NonZero);
-        let area = |path: &Vec<Point64>| clipper2_rust::core::area(path).abs();
-        let largest = parts.iter().max_by(|a, b| area(a).total_cmp(&area(b)))?;
-        let inside = middle(largest)?;
-        Some(self.origin + (inside - Point::ORIGIN) / self.scale)
+        let back = |p: Point| self.origin + (p - Point::ORIGIN) / self.scale;
+        // Holes run the other way round.
+        parts.iter().filter(|p| clipper2_rust::core::area(p) > 0.0).filter_map(|p| middle(p)).map(back).collect()
     }
 }
 

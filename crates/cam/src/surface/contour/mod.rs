@@ -111,6 +111,11 @@ fn region_of(lines: &[Vec<Point>]) -> Result<Region, RegionError> {
     }
 }
 
+/// The edges of a cell, counter-clockwise: edge k leads from corner k to the next one.
+const fn sides((i, j): (isize, isize)) -> [GridEdge; 4] {
+    [(i, j, false), (i + 1, j, true), (i, j + 1, false), (i, j, true)]
+}
+
 struct Tracer<'a> {
     grid: &'a HeightGrid,
     surface: &'a ClSurface,
@@ -161,8 +166,7 @@ impl Tracer<'_> {
     }
 
     fn link_cell(&self, (i, j): (isize, isize), free: [bool; 4], next: &mut BTreeMap<GridEdge, Link>) {
-        // Counter-clockwise: edge k leads from corner k to the next one.
-        let edges = [(i, j, false), (i + 1, j, true), (i, j + 1, false), (i, j, true)];
+        let edges = sides((i, j));
         let leaves: Vec<usize> = (0..4).filter(|&k| free[k] && !free[(k + 1) % 4]).collect();
         let enters: Vec<usize> = (0..4).filter(|&k| !free[k] && free[(k + 1) % 4]).collect();
         let joined = leaves.len() == 2 && self.is_free(self.middle((i, j)));
@@ -174,6 +178,16 @@ impl Tracer<'_> {
             };
             next.insert(edges[k], Link { to: edges[to], cell: (i, j), corner });
         }
+    }
+
+    /// The crossings of all lines with a cell's edges.
+    fn crossings(&self, cell: (isize, isize)) -> impl Iterator<Item = Point> + '_ {
+        sides(cell).into_iter().filter(|&e| self.is_crossed(e)).map(|e| self.crossing(e))
+    }
+
+    fn is_crossed(&self, (i, j, up): GridEdge) -> bool {
+        let (i_end, j_end) = if up { (i, j + 1) } else { (i + 1, j) };
+        self.is_free_node(i, j) != self.is_free_node(i_end, j_end)
     }
 
     /// Step 3.

@@ -12,6 +12,15 @@ use pocketry_geom::{Point, Vec2};
 /// Chords are split no more often than this.
 const DEEPEST: usize = 7;
 
+/// How far quarters of a chord may lie within taken ground, as a share of the tolerance. A line with one corner that is off by
+/// the tolerance, and less so at the middle, is off by more than this at a quarter: the nearer the corner is to the middle,
+/// the less, but for 3/8 of the way two thirds.
+const QUARTER: f64 = 0.65;
+
+/// How much of the strip that a cell keeps off belongs to the triangle of the other one: not all, so that rounding does not
+/// let them meet.
+const BULGE: f64 = 0.8;
+
 /// A convex area.
 #[derive(Clone, Debug)]
 pub(super) struct Room {
@@ -20,8 +29,8 @@ pub(super) struct Room {
 }
 
 impl Room {
-    /// The room of a cell's chord: the cell, with a quarter of each cell next to it that no line enters; or one half of
-    /// the cell where two chords go around opposite corners.
+    /// The room of a cell's chord: the cell, with a quarter of each cell next to it that no line enters, and a share of each
+    /// that only other lines enter; or one half of the cell where two chords go around opposite corners.
     ///
     /// The quarters, between a side and the middle of the other cell, are for what bulges out between two nodes.
     pub(super) fn of(tracer: &Tracer<'_>, link: Link) -> Self {
@@ -33,15 +42,17 @@ impl Room {
             let across = [place(nodes[(c + 1) % 4]), place(nodes[(c + 3) % 4])];
             return Self { sides: half.into_iter().chain([across]).collect() };
         }
-        let beyond = [(i, j - 1), (i + 1, j), (i, j + 1), (i - 1, j)];
+        let (edges, beyond) = (super::sides(link.cell), [(i, j - 1), (i + 1, j), (i, j + 1), (i - 1, j)]);
         let mut sides = Vec::with_capacity(8);
         for k in 0..4 {
-            let (from, to) = (place(nodes[k]), place(nodes[(k + 1) % 4]));
-            if tracer.is_uncut(beyond[k]) {
+            let side @ [from, to] = [place(nodes[k]), place(nodes[(k + 1) % 4])];
+            if tracer.is_crossed(edges[k]) {
+                sides.push(side);
+            } else if tracer.is_uncut(beyond[k]) {
                 let apex = tracer.middle(beyond[k]);
                 sides.extend([[from, apex], [apex, to]]);
             } else {
-                sides.push([from, to]);
+                tracer.share(side, link.cell, beyond[k], &mut sides);
             }
         }
         Self { sides }
@@ -68,18 +79,31 @@ impl Room {
 }
 
 impl Tracer<'_> {
+    /// The border of a cell's room towards a cell beyond an edge that no line crosses, where other lines run in both: the one
+    /// whose crossings lie nearer to the edge, whose line may bulge over it, has a triangle beyond; the other
+    /// keeps off by as much, and still holds its own crossings.
+    fn share(&self, [from, to]: [Point; 2], own: (isize, isize), other: (isize, isize), sides: &mut Vec<[Point; 2]>) {
+        let inwards = (to - from).normalized().left();
+        let nearest = |cell| self.crossings(cell).map(|p| inwards.dot(p - from).abs()).fold(f64::INFINITY, f64::min);
+        let shift = 0.5 * (nearest(own) - nearest(other));
+        if shift > CONTOUR {
+            sides.push([from + inwards * shift, to + inwards * shift]);
+        } else if shift < -CONTOUR {
+            let apex = from.midpoint(to) + inwards * (BULGE * shift);
+            sides.extend([[from, apex], [apex, to]]);
+        } else {
+            sides.push([from, to]);
+        }
+    }
+
     /// The points between two points of a cell's line, pushed in order.
     pub(super) fn refine(&self, room: &Room, from: Point, to: Point, depth: usize, line: &mut Vec<Point>) {
         let length = from.distance(to);
         if depth == DEEPEST || length <= 2.0 * CONTOUR {
             return;
         }
-        let middle = from.midpoint(to);
         let inwards = ((to - from) / length).left();
-        let Some(found) = self.line_near(room, middle, inwards) else { return };
-        if found.distance(middle) <= CONTOUR {
-            return;
-        }
+        let Some(found) = self.off_chord(room, from, to, inwards) else { return };
         let across = [found, found + inwards * length];
         let side = |p: Point| orientation(across[0], across[1], p);
         if !(room.holds(found) && side(from) > 0.0 && side(to) < 0.0) {
@@ -90,21 +114,34 @@ impl Tracer<'_> {
         self.refine(&room.within([across[1], across[0]]), found, to, depth + 1, line);
     }
 
-    /// The line's point straight across a chord's middle, within the room.
-    fn line_near(&self, room: &Room, middle: Point, inwards: Vec2) -> Option<Point> {
-        let (way, start_free) = if self.is_free(middle) { (-inwards, true) } else { (inwards, false) };
-        let most = room.reach(middle, way, 0.5 * SETTLED * CONTOUR);
+    /// A point of the line that lies too far off a chord: across from its middle, or from a quarter that is within taken ground.
+    fn off_chord(&self, room: &Room, from: Point, to: Point, inwards: Vec2) -> Option<Point> {
+        let middle = from.midpoint(to);
+        if let Some(found) = self.line_near(room, middle, inwards).filter(|p| p.distance(middle) > CONTOUR) {
+            return Some(found);
+        }
+        let near = inwards * (QUARTER * CONTOUR);
+        let quarters = [from.midpoint(middle), middle.midpoint(to)];
+        let taken = quarters.into_iter().find(|&q| !self.is_free(q) && !self.is_free(q + near))?;
+        self.line_near(room, taken, inwards)
+    }
+
+    /// The line's point straight across from a point of a chord, within the room; where the room ends before it and the point is taken,
+    /// the room's last place, which is nearer to it.
+    fn line_near(&self, room: &Room, p: Point, inwards: Vec2) -> Option<Point> {
+        let (way, start_free) = if self.is_free(p) { (-inwards, true) } else { (inwards, false) };
+        let most = room.reach(p, way, 0.5 * SETTLED * CONTOUR);
         let mut reach = CONTOUR;
-        let mut last = middle;
+        let mut last = p;
         // Ever longer steps, so that near lines, the usual ones, are found soon.
         loop {
-            let end = middle + way * reach.min(most);
+            let end = p + way * reach.min(most);
             if self.is_free(end) != start_free {
                 let (free, taken) = if start_free { (last, end) } else { (end, last) };
                 return Some(free.lerp(taken, self.settle(free, taken)));
             }
             if reach >= most {
-                return None;
+                return (!start_free).then_some(end);
             }
             last = end;
             reach *= 4.0;

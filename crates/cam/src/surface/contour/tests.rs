@@ -99,6 +99,18 @@ fn a_wall_right_along_the_middle_of_cells_crosses_no_other_line() {
     }
 }
 
+/// A wall just left of a column of nodes bulges over it, into cells through which the wall on the other side of a valley runs.
+#[test]
+fn a_wall_that_bulges_into_the_cells_of_another_one_keeps_its_bulge() {
+    free(&waves(30.0, 8), -3.908_081_247_110_394_5, 6.75, &|p| p);
+}
+
+/// An arc that runs out into a straight line: hardly off its chord in the middle, but at a quarter.
+#[test]
+fn a_line_that_bends_beside_the_middle_of_its_chord_is_followed() {
+    free(&waves(30.0, 8), -5.089_468_167_463_877_5, 6.75, &|p| p);
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(12))]
     #[test]
