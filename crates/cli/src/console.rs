@@ -45,6 +45,11 @@ pub(crate) fn figure(value: f64) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
+/// A number of things for people: `1 level`, `2 levels`.
+pub(crate) fn counted(count: usize, thing: &str) -> String {
+    format!("{count} {thing}{}", if count == 1 { "" } else { "s" })
+}
+
 /// A time for people.
 pub(crate) fn duration(seconds: f64) -> String {
     let whole = seconds.round().max(0.0);
@@ -66,6 +71,7 @@ mod tests {
     fn figures_and_durations_are_short() {
         assert_eq!((figure(12.0).as_str(), figure(0.25).as_str(), figure(0.0).as_str()), ("12", "0.25", "0"));
         assert_eq!(figure(0.000_123_4), "1.234e-4");
+        assert_eq!((counted(0, "level"), counted(1, "level")), ("0 levels".into(), "1 level".into()));
         assert_eq!((duration(59.6).as_str(), duration(3725.0).as_str()), ("1 min 0 s", "1 h 2 min"));
     }
 }

@@ -1,7 +1,7 @@
 //! `pocketry rough`: from a model to a roughing program, judged in space.
 
 use crate::args::{EngineArg, RoughArgs, StockBox, ToolArg};
-use crate::console::{self, duration, figure};
+use crate::console::{self, counted, duration, figure};
 use crate::failure::{Exit, Failure};
 use crate::job::NOT_WRITTEN;
 use crate::model;
@@ -176,12 +176,12 @@ fn write(
     options.header = vec![
         format!("Pocketry {}: roughing of {name}", env!("CARGO_PKG_VERSION")),
         format!("T{}: {}, diameter {} mm", job.tool.number, job.cutter, figure(job.tool.diameter)),
-        format!("stock from {low} to {high} mm, {} levels", plan.levels.len()),
+        format!("stock from {low} to {high} mm, {}", counted(plan.levels.len(), "level")),
         format!("stepover {} mm, {} mm left on the model, {cut}", figure(plan.stepover), figure(job.stock_to_leave)),
         format!(
-            "cut {:.0} mm, {} retracts, about {}",
+            "cut {:.0} mm, {}, about {}",
             figures.cut_length,
-            figures.retracts,
+            counted(figures.retracts, "retract"),
             duration(figures.machine_seconds)
         ),
     ];
@@ -205,12 +205,13 @@ fn said(report: &Report<'_>) -> String {
     let (figures, proof) = (&report.figures, report.proof);
     let cut = proof.levels.iter().filter(|l| l.leftover.is_some()).count();
     format!(
-        "{}: {cut} levels, {} loops, {:.0} mm of cutting, {} retracts, about {}\n\
+        "{}: {}, {}, {:.0} mm of cutting, {}, about {}\n\
          proven: deepest gouge {} mm ({} mm into the stock to leave), highest leftover {} mm over what the tool can reach\n",
         report.program,
-        report.loops,
+        counted(cut, "level"),
+        counted(report.loops, "loop"),
         figures.cut_length,
-        figures.retracts,
+        counted(figures.retracts, "retract"),
         duration(figures.machine_seconds),
         figure(proof.gouge_depth()),
         figure(proof.into_stock()),

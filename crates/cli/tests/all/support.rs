@@ -33,8 +33,8 @@ impl Sandbox {
     }
 
     /// Writes a file.
-    pub(crate) fn write(&self, name: &str, text: &str) {
-        std::fs::write(self.0.path().join(name), text).unwrap();
+    pub(crate) fn write(&self, name: &str, content: impl AsRef<[u8]>) {
+        std::fs::write(self.0.path().join(name), content).unwrap();
     }
 
     /// Reads a file.

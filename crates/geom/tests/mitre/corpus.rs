@@ -123,3 +123,15 @@ fn polygons_of_the_corpus_agree_with_an_independent_mitre_offset() {
     println!("{regions} regions, {} offsets agree, {} where the peer is wrong", total.agree, total.peer_wrong);
     assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
 }
+
+/// Edges crowd here, so that loops are found without most of the raw curve; one of them went missing that began with an edge that stands upright.
+#[test]
+fn window_land_31_keeps_all_its_loops() {
+    let Some(shared) = shared() else { return };
+    let records = read(&shared.join("corpus/dev/geo.jsonl")).expect("a corpus file");
+    let record = records.iter().find(|r| r.id == "geo/window-land/31").expect("the record");
+    let region = polygon(record).expect("a polygon");
+    let levels: Vec<f64> = (0..6).map(|k| record.tool_radius + f64::from(k) * record.interval).collect();
+    let outcome = compare(&region, &levels);
+    assert_eq!((outcome.agree, outcome.wrong), (levels.len(), Vec::<String>::new()));
+}

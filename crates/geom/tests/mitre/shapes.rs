@@ -1,6 +1,6 @@
 //! Stars, gears, combs and labyrinths with and without islands; copies; random regions.
 
-use crate::corpus::{compare, well_formed};
+use crate::corpus::{LIMIT, compare, well_formed};
 use pocketry_geom::Contour;
 use pocketry_geom::offset::{BisectorEngine, Offset, OffsetEngine, OffsetOptions, bisector};
 use pocketry_testkit::corpus::region;
@@ -78,6 +78,29 @@ fn shapes_like_figure_12_agree_with_the_definition_and_the_peer() {
         let outcome = compare(&region(loops).expect("a region"), &[0.1, 0.4, 0.5, 0.7, 1.3, 2.0, 3.7, 6.1]);
         assert_eq!(outcome.wrong, Vec::<String>::new(), "shape {k}");
     }
+}
+
+/// A circle of edges far shorter than the distance, on whose spikes stand mitres of up to ten distances.
+fn noisy_circle(n: usize) -> Loops {
+    let mut state = 1_u64;
+    let mut noise = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    let radii: Vec<f64> = (0..n).map(|_| 50.0 - 2.0 * noise()).collect();
+    vec![shapes::polar(n, |t| radii[(t / TAU * n as f64).round() as usize % n])]
+}
+
+/// The mitres leave small triangles between them, and from some distance on nothing.
+#[test]
+fn a_noisy_circle_keeps_the_loops_that_its_mitres_leave_and_no_others() {
+    let region = region(&noisy_circle(1500)).expect("a region");
+    let distances: Vec<f64> = (2..=12).map(f64::from).collect();
+    let engine = BisectorEngine { mitre_limit: Some(LIMIT), ..BisectorEngine::default() };
+    let offsets = engine.offsets(&region, &distances, &OffsetOptions::default()).expect("offsets");
+    let counts: Vec<usize> = offsets.iter().map(|o| o.loops.len()).collect();
+    assert!(counts[0] > 0 && counts.ends_with(&[0]), "from many loops to none: {counts:?}");
+    assert_eq!(compare(&region, &distances).wrong, Vec::<String>::new());
 }
 
 fn area(offset: &Offset) -> f64 {

@@ -117,7 +117,9 @@ fn bad_models_are_told_what_and_where() {
             ascii(&cube()).replacen("vertex 10 10 0e0", "vertex 10 ten 0", 1).into_bytes(),
             &["a.stl:", "not a corner"],
         ),
-        ("a.stl", ascii(&cube()).replacen("0 10 0e0", "0 10 nan", 1).into_bytes(), &["a.stl:8", "NaN"]),
+        ("a.stl", ascii(&nan).into_bytes(), &["a.stl:33, facet 5", "NaN"]),
+        ("a.stl", ascii(&far).into_bytes(), &["a.stl:18, facet 3", "no place of a part"]),
+        ("a.obj", b"v 0 0 0\nv 1 inf 0\nv 0 1 0\nf 1 2 3\n".to_vec(), &["a.obj:2", "inf"]),
         ("a.obj", b"v 0 0 0\nv 1 0 0\nf 1 2 3\n".to_vec(), &["a.obj:3", "known vertices"]),
         ("a.obj", b"v 0 0\n".to_vec(), &["a.obj:1"]),
         ("a.3mf", b"PK\x03\x04 and no more".to_vec(), &["not a 3MF package"]),
@@ -152,7 +154,14 @@ fn models_that_are_no_solids_are_read_with_warnings() {
     assert!(read("a.stl", &binary(&inside_out)).unwrap().mesh.volume() > 0.0);
     let mut fin = cube();
     fin.push([[0.0; 3], [10.0, 0.0, 0.0], [5.0, -9.0, 0.0]]);
-    assert!(told(&fin).contains("more than two facets"));
+    assert!(
+        told(&fin).contains("more than two facets meet at edges: 1, the first at (5.0000, 0.0000, 0.0000)"),
+        "{}",
+        told(&fin)
+    );
+    let mut turned = cube();
+    turned[0].swap(0, 1);
+    assert!(told(&turned).contains("turned over: neighbours disagree about the outside at edges: 3, the first at ("));
     let mut longer = binary(&cube());
     longer.extend([1, 2, 3]);
     assert!(read("a.stl", &longer).unwrap().warnings[0].message.contains("3 bytes"));

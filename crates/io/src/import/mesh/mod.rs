@@ -49,7 +49,7 @@ pub struct Model {
 struct Soup {
     triangles: Vec<[Corner; 3]>,
     units: Option<Units>,
-    /// Lines or facets, for messages: the place of a triangle.
+    /// The line at which each triangle begins, for messages, where there are lines.
     lines: Option<Vec<usize>>,
     warnings: Vec<Warning>,
 }
@@ -57,10 +57,7 @@ struct Soup {
 impl Soup {
     /// Where a triangle stands in the file.
     fn place(&self, triangle: usize) -> Place {
-        match self.lines.as_ref().and_then(|l| l.get(triangle)) {
-            Some(&line) => Place::line(line),
-            None => facet(triangle),
-        }
+        Place { line: self.lines.as_ref().and_then(|l| l.get(triangle)).copied(), ..facet(triangle) }
     }
 }
 
@@ -146,14 +143,23 @@ fn check(soup: &mut Soup, units: f64) -> Result<(), ImportError> {
     }
     let sane = |c: &f64| (c * units).abs() <= ABSURD;
     if let Some(bad) = soup.triangles.iter().position(|t| !t.iter().flatten().all(sane)) {
-        let [x, y, z] = soup.triangles[bad].into_iter().find(|c| !c.iter().all(sane)).unwrap_or_default();
-        let problem = format!("the corner ({x}, {y}, {z}) is no place of a part");
-        return Err(ImportError::new(FaultKind::Value, soup.place(bad), problem, "export the model again"));
+        let corner = soup.triangles[bad].into_iter().find(|c| !c.iter().all(sane)).unwrap_or_default();
+        return Err(nowhere(corner, soup.place(bad)));
     }
     if units != 1.0 {
         soup.triangles.iter_mut().flatten().flatten().for_each(|c| *c *= units);
     }
     Ok(())
+}
+
+/// The corner if its numbers are finite; units don't matter for that, so that readers can ask while they know the very line.
+fn finite(corner: Corner, place: impl FnOnce() -> Place) -> Result<Corner, ImportError> {
+    if corner.iter().all(|c| c.is_finite()) { Ok(corner) } else { Err(nowhere(corner, place())) }
+}
+
+fn nowhere([x, y, z]: Corner, place: Place) -> ImportError {
+    let problem = format!("the corner ({x}, {y}, {z}) is no place of a part");
+    ImportError::new(FaultKind::Value, place, problem, "export the model again")
 }
 
 /// Refuses one facet more than any model has.

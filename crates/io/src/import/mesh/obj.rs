@@ -1,7 +1,7 @@
 //! Wavefront OBJ: `v x y z` and `f i j k ...`; everything else is passed over. Polygons are cut into fans.
 
 use super::stl::clipped;
-use super::{Soup, check_count};
+use super::{Soup, check_count, finite};
 use crate::import::error::{FaultKind, ImportError, Place};
 use pocketry_geom::mesh::Corner;
 
@@ -18,7 +18,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Soup, ImportError> {
             Some("v") => {
                 let mut next = || words.next()?.parse::<f64>().ok();
                 let corner = (|| Some([next()?, next()?, next()?]))();
-                vertices.push(corner.ok_or_else(|| bad(format!("not a vertex: {}", clipped(line))))?);
+                let corner = corner.ok_or_else(|| bad(format!("not a vertex: {}", clipped(line))))?;
+                vertices.push(finite(corner, || Place::line(k + 1))?);
             }
             Some("f") => {
                 let corners: Option<Vec<Corner>> = words.map(|w| vertex(w, &vertices)).collect();

@@ -2,7 +2,7 @@
 //!
 //! Normals are not used: the order of the corners says where outside is, and files agree on that more often than on normals.
 
-use super::{Soup, check_count, facet};
+use super::{Soup, check_count, facet, finite};
 use crate::import::error::{FaultKind, ImportError, Place, Warning};
 use pocketry_geom::mesh::Corner;
 
@@ -65,7 +65,7 @@ fn text(bytes: &[u8]) -> Result<Soup, ImportError> {
     let text = String::from_utf8_lossy(bytes);
     let mut soup = Soup { lines: Some(Vec::new()), ..Soup::default() };
     let mut corners: Vec<Corner> = Vec::new();
-    let mut ended = false;
+    let (mut begun, mut ended) = (0, false);
     for (k, line) in text.lines().enumerate() {
         let bad = |problem: String| {
             ImportError::new(
@@ -78,12 +78,15 @@ fn text(bytes: &[u8]) -> Result<Soup, ImportError> {
         let mut words = line.split_ascii_whitespace();
         match words.next().map(str::to_ascii_lowercase).as_deref() {
             Some("vertex") => {
-                corners.push(numbers(words).ok_or_else(|| bad(format!("not a corner: {}", clipped(line))))?);
+                let corner = numbers(words).ok_or_else(|| bad(format!("not a corner: {}", clipped(line))))?;
+                let place = || Place { line: Some(k + 1), ..facet(soup.triangles.len()) };
+                corners.push(finite(corner, place)?);
+                begun = if corners.len() == 1 { k + 1 } else { begun };
             }
             Some("endfacet") => {
                 let triangle = <[Corner; 3]>::try_from(corners.as_slice());
                 soup.triangles.push(triangle.map_err(|_| bad(format!("a facet with {} corners", corners.len())))?);
-                soup.lines.get_or_insert_default().push(k + 1);
+                soup.lines.get_or_insert_default().push(begun);
                 corners.clear();
                 check_count(soup.triangles.len())?;
             }
