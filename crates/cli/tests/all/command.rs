@@ -58,7 +58,7 @@ fn bad_arguments_and_bad_drawings_return_2_and_write_nothing() {
     folder.write("open.dxf", "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n9\n21\n9\n0\nENDSEC\n0\nEOF\n");
     folder.write("empty.dxf", "");
     folder.write("noise.svg", "\u{1}\u{2}\u{3}");
-    folder.write("huge.json", &format!("{}{}", "[".repeat(100_000), "]".repeat(100_000)));
+    folder.write("huge.json", format!("{}{}", "[".repeat(100_000), "]".repeat(100_000)));
     folder.write("zero.json", r#"{"units":"mm","tool_radius":0,"loops":[[[0,0,0],[9,0,0],[9,9,0]]]}"#);
     for file in ["open.dxf", "empty.dxf", "noise.svg", "huge.json", "zero.json"] {
         let run = pocketry().args(["pocket", &folder.path(file), "--tool", "2", "-o", &output]).output().unwrap();

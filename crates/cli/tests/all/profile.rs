@@ -31,7 +31,7 @@ fn a_tool_is_drawn_about_its_reference_point() {
     let drawing = folder.path("pocket.json");
     let l = r#"{"id": "tool", "units": "mm", "loops": [[[-2, -2, 0], [4, -2, 0], [4, 1, 0], [1, 1, 0], [1, 4, 0], [-2, 4, 0]]]}"#;
     folder.write("tool.json", l);
-    folder.write("away.json", &l.replace("-2", "10"));
+    folder.write("away.json", l.replace("-2", "10"));
     let run = |tool: &str| {
         let profile = format!("file:{}", folder.path(tool));
         pocketry().args(["pocket", &drawing, "--tool-profile", &profile, "-o", &folder.path("a.ngc")]).output().unwrap()
