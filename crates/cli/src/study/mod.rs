@@ -10,6 +10,7 @@ use crate::output::{Outputs, print};
 use crate::settings::Setup;
 use crate::{drawing, job};
 use pocketry_cam::{PocketJob, Strategy};
+use pocketry_geom::Segment;
 use pocketry_geom::skeleton::Skeleton;
 use pocketry_io::import::Drawing;
 use pocketry_io::post::OutputUnit;
@@ -21,6 +22,8 @@ struct Row {
     stepover: f64,
     cleanup: bool,
     length: f64,
+    /// Of the loops with their detours: without entries, side-steps and ways between loops.
+    loop_length: f64,
     cleanup_length: f64,
     seconds: f64,
     retracts: usize,
@@ -84,10 +87,12 @@ fn row(
     let figures = plan.program.figures(&setup.job.feeds, &setup.job.stock);
     let text = job::write(&plan, &figures, &setup, "study")?;
     let proof = job::prove(drawing, &setup, &text)?;
+    let segments = || plan.loops.iter().flat_map(|l| &l.segments);
     Ok(Row {
         stepover: plan.stepover,
         cleanup,
         length: figures.cut_length,
+        loop_length: plan.passes as f64 * segments().map(Segment::length).sum::<f64>(),
         cleanup_length: plan.passes as f64 * plan.cleanups.iter().fold(0.0, |sum, c| sum + c.length),
         seconds: figures.machine_seconds,
         retracts: figures.retracts,
@@ -96,14 +101,24 @@ fn row(
     })
 }
 
-const HEADINGS: [&str; 8] =
-    ["stepover_mm", "cleanup", "cut_length_mm", "cleanup_length_mm", "seconds", "retracts", "loops", "uncut_mm2"];
+const HEADINGS: [&str; 9] = [
+    "stepover_mm",
+    "cleanup",
+    "cut_length_mm",
+    "loop_length_mm",
+    "cleanup_length_mm",
+    "seconds",
+    "retracts",
+    "loops",
+    "uncut_mm2",
+];
 
-fn cells(row: &Row) -> [String; 8] {
+fn cells(row: &Row) -> [String; 9] {
     [
         figure(row.stepover),
         if row.cleanup { "yes" } else { "no" }.to_owned(),
         format!("{:.1}", row.length),
+        format!("{:.1}", row.loop_length),
         format!("{:.1}", row.cleanup_length),
         format!("{:.1}", row.seconds),
         row.retracts.to_string(),
