@@ -83,7 +83,7 @@ pub(crate) fn plan_from(region: &Region, skeleton: &Skeleton, job: &PocketJob, f
         let orderer = Orderer::new(&ways, &levels);
         let pieces = cleanup::of_skeleton(&ways, &orderer, &distances, radius);
         let gathered = cleanup::gather(&pieces, &orderer, radius);
-        cleanups = cleanup::add(&mut levels, gathered);
+        cleanups = cleanup::add(&mut levels, gathered, radius);
     }
     let chains = Orderer::new(&ways, &levels).chains();
     warnings.extend(report::unreached(skeleton, &trees, first, job.stock_to_leave));

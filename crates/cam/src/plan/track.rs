@@ -33,6 +33,13 @@ pub(crate) struct Insertion {
     pub(crate) tour: Vec<Segment>,
 }
 
+impl Insertion {
+    /// mm.
+    pub(crate) fn length(&self) -> f64 {
+        self.tour.iter().map(Segment::length).sum()
+    }
+}
+
 /// A place on a track where the tool enters it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Landing {

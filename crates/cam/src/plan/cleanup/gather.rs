@@ -36,15 +36,11 @@ pub(crate) fn gather(pieces: &[(usize, Piece)], orderer: &Orderer<'_>, radius: f
         for (track, mut insertion) in found {
             insertion.tour = fitted(&insertion.tour, FIT_SHARE * degenerate_slack(radius));
             let start = insertion.tour[0].start();
-            gathered.cleanups.push(Cleanup { kind: piece.kind(), start, length: length(&insertion) });
+            gathered.cleanups.push(Cleanup { kind: piece.kind(), start, length: insertion.length() });
             gathered.insertions.push((track, insertion));
         }
     }
     gathered
-}
-
-fn length(insertion: &Insertion) -> f64 {
-    insertion.tour.iter().map(Segment::length).sum()
 }
 
 /// The paths of a piece that hangs on inner loops.
@@ -61,7 +57,7 @@ fn rooted(piece: &Piece, radius: f64) -> Vec<(u32, Insertion)> {
 fn center(piece: &Piece, orderer: &Orderer<'_>, level: usize, radius: f64) -> Option<(u32, Insertion)> {
     let of_place = piece.exits.chunk_by(|a, b| a.place == b.place);
     let tried = of_place.filter_map(|exits| exits.iter().find_map(|exit| through(piece, exit, orderer, level, radius)));
-    tried.min_by(|a, b| length(&a.1).total_cmp(&length(&b.1))).filter(|(_, i)| !i.tour.is_empty())
+    tried.min_by(|a, b| a.1.length().total_cmp(&b.1.length())).filter(|(_, i)| !i.tour.is_empty())
 }
 
 /// The same by one of its exits, if that lies on a loop.

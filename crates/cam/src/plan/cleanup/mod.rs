@@ -17,11 +17,12 @@
 //! 3. From the tips of each tree the path is cut back as far as what lies behind stays within `r` of its end (`prune`).
 //!    Nothing may be left of it: then nothing was uncut.
 //! 4. What is left is travelled out and back when the tool passes the root, without a retract.
+//! 5. At a corner of the loop the way out and back becomes a drop that the tool enters and leaves straight on (`rounded`).
 //!
 //! Departures from the paper. It takes a range for uncut if its clean-up curve is farther than `r` from *one* degenerate
 //! vertex; here it must be farther from every place of the path. It mills along the clean-up curve; here the
-//! path is the skeleton, which is shorter and as clear of walls as can be, and where it turns (at a sharp corner of
-//! the inner loop, from which it starts, and at its tips) so does the tool.
+//! path is the skeleton, which is shorter and as clear of walls as can be. Where no drop can be made of it, the tool turns where
+//! the skeleton does, and at its tips.
 //!
 //! Along a line or a short arc `|s - p| + reach(p)`, which decides whether a stop at `s` serves `p`, is convex where clearance
 //! is (lines, points, arcs seen from outside); arcs seen from inside are walked in steps of [`CLEANUP_STEP`] radii. So ends
@@ -31,11 +32,12 @@ mod forest;
 mod gather;
 mod pieces;
 mod prune;
+mod rounded;
 #[cfg(test)]
 mod tests;
 
 use super::levels::Levels;
-use super::track::Insertion;
+use super::track::{Insertion, Track};
 use pocketry_geom::offset::degenerate_slack;
 use pocketry_geom::skeleton::SiteId;
 use pocketry_geom::{Point, Segment};
@@ -43,6 +45,7 @@ use serde::Serialize;
 
 pub(super) use gather::{CANDIDATES, Gathered, gather};
 pub(super) use pieces::of_skeleton;
+use rounded::drop_around;
 
 /// What kind of place would stay uncut.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -114,16 +117,36 @@ impl Piece {
     }
 }
 
-/// Adds clean-up paths to the loops.
-pub(super) fn add(levels: &mut Levels, gathered: Gathered) -> Vec<Cleanup> {
-    let mut of_track: Vec<Vec<Insertion>> = vec![Vec::new(); levels.tracks.len()];
-    for (track, insertion) in gathered.insertions {
-        of_track[track as usize].push(insertion);
+/// Adds clean-up paths to the loops, rounded where they can be, for a tool of this radius.
+pub(super) fn add(levels: &mut Levels, mut gathered: Gathered, radius: f64) -> Vec<Cleanup> {
+    let outermost = levels.tracks.iter().map(|t| t.distance).fold(f64::INFINITY, f64::min);
+    let mut of_track: Vec<Vec<(usize, Insertion)>> = vec![Vec::new(); levels.tracks.len()];
+    for (k, (track, insertion)) in gathered.insertions.into_iter().enumerate() {
+        of_track[track as usize].push((k, insertion));
     }
-    for (track, insertions) in levels.tracks.iter_mut().zip(of_track) {
-        track.insert(insertions);
+    for (track, mut insertions) in levels.tracks.iter_mut().zip(of_track) {
+        insertions.sort_by_key(|(_, i)| i.segment);
+        for own in insertions.chunk_by_mut(|a, b| a.1.segment == b.1.segment) {
+            if let [(k, insertion)] = own {
+                round(track, insertion, trusted(radius), track.distance - outermost);
+                gathered.cleanups[*k].length = insertion.length();
+            }
+        }
+        track.insert(insertions.into_iter().map(|i| i.1).collect());
     }
     gathered.cleanups
+}
+
+/// Makes a drop of a path that leaves a corner, where that is all that leaves it.
+fn round(track: &Track, insertion: &mut Insertion, radius: f64, room: f64) {
+    let k = insertion.segment;
+    if insertion.at.is_none_or(|p| p == track.segments[k].start()) {
+        let before = &track.segments[(k + track.segments.len() - 1) % track.segments.len()];
+        let tangents = [before.end_tangent(), track.segments[k].start_tangent()];
+        if let Some(drop) = drop_around(&insertion.tour, tangents, radius, room) {
+            insertion.tour = drop;
+        }
+    }
 }
 
 /// What a tool of this radius is trusted to cut about its axis: a slack for chords and rounding is left.

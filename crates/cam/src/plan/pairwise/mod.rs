@@ -58,7 +58,7 @@ pub fn plan_pairwise(region: &Region, job: &PocketJob) -> Result<Plan, PlanError
         let orderer = Orderer::new(&ways, &levels);
         let pieces = ranges::pieces(&offsetter, &offsets, &levels, stepover, radius)?;
         let gathered = cleanup::gather(&pieces, &orderer, radius);
-        cleanups = cleanup::add(&mut levels, gathered);
+        cleanups = cleanup::add(&mut levels, gathered, radius);
     }
     let chains = Orderer::new(&ways, &levels).chains();
     let mut plan = moves::write(&levels, &chains, job, first);
