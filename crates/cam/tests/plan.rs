@@ -281,3 +281,21 @@ fn numbers_that_make_no_sense_are_refused() {
     let tiny = PocketJob { stepover: 1e-9, ..job(6.0) };
     assert!(matches!(planned(&region, &tiny), Err(PlanError::Job { what: "stepover", .. })));
 }
+
+#[test]
+fn clean_up_of_corners_is_entered_and_left_straight_on() {
+    // The path to the middle hangs on a side that begins at one of the corners.
+    let corners = [[0.0, 0.0, 0.0], [60.0, 0.0, 0.0], [75.0, 40.0, 0.0], [20.0, 50.0, 0.0], [0.0, 30.0, 0.0]];
+    let plan = planned(&region(&[&corners]), &PocketJob { stepover: 9.8, ..job(10.0) }).unwrap();
+    let at_corners: Vec<Point> = plan.cleanups.iter().filter(|c| c.kind == Uncut::Corner).map(|c| c.start).collect();
+    assert_eq!(at_corners.len(), 5);
+    let mut visits = 0;
+    for l in &plan.loops {
+        let next = l.segments.iter().cycle().skip(1);
+        for (before, after) in l.segments.iter().zip(next).filter(|(_, after)| at_corners.contains(&after.start())) {
+            visits += 1;
+            assert!(before.end_tangent().dot(after.start_tangent()) > 1.0 - 1e-9, "{before:?} {after:?}");
+        }
+    }
+    assert_eq!(visits, 10, "each corner is passed twice");
+}

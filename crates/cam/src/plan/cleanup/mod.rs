@@ -125,9 +125,13 @@ pub(super) fn add(levels: &mut Levels, mut gathered: Gathered, radius: f64) -> V
         of_track[track as usize].push((k, insertion));
     }
     for (track, mut insertions) in levels.tracks.iter_mut().zip(of_track) {
-        insertions.sort_by_key(|(_, i)| i.segment);
-        for own in insertions.chunk_by_mut(|a, b| a.1.segment == b.1.segment) {
-            if let [(k, insertion)] = own {
+        let corner = |i: &Insertion| i.at.is_none_or(|p| p == track.segments[i.segment].start()).then_some(i.segment);
+        insertions.sort_by_key(|(_, i)| corner(i));
+        for own in insertions.chunk_by_mut(|a, b| corner(&a.1) == corner(&b.1)) {
+            // What is not the only one there is left as it is.
+            if let [(k, insertion)] = own
+                && corner(insertion).is_some()
+            {
                 round(track, insertion, trusted(radius), track.distance - outermost);
                 gathered.cleanups[*k].length = insertion.length();
             }
@@ -137,15 +141,13 @@ pub(super) fn add(levels: &mut Levels, mut gathered: Gathered, radius: f64) -> V
     gathered.cleanups
 }
 
-/// Makes a drop of a path that leaves a corner, where that is all that leaves it.
+/// Makes a drop of a path that leaves the start of a segment, where there is one.
 fn round(track: &Track, insertion: &mut Insertion, radius: f64, room: f64) {
     let k = insertion.segment;
-    if insertion.at.is_none_or(|p| p == track.segments[k].start()) {
-        let before = &track.segments[(k + track.segments.len() - 1) % track.segments.len()];
-        let tangents = [before.end_tangent(), track.segments[k].start_tangent()];
-        if let Some(drop) = drop_around(&insertion.tour, tangents, radius, room) {
-            insertion.tour = drop;
-        }
+    let before = &track.segments[(k + track.segments.len() - 1) % track.segments.len()];
+    let tangents = [before.end_tangent(), track.segments[k].start_tangent()];
+    if let Some(drop) = drop_around(&insertion.tour, tangents, radius, room) {
+        insertion.tour = drop;
     }
 }
 
