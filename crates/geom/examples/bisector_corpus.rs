@@ -1,9 +1,10 @@
-//! Offsets every polygon region of corpus files with the bisector engine and tells which take long or fail.
+//! Offsets every polygon region of corpus files with the bisector engine and tells which take long, fail, or have a loop that runs the
+//! wrong way round.
 //!
 //! `cargo run --release -p pocketry-geom --example bisector_corpus -- [--only TEXT] [--limit MITRE] [--slow SECONDS] FILE.jsonl...`
 
 use pocketry_geom::Segment;
-use pocketry_geom::offset::{BisectorEngine, OffsetEngine, OffsetOptions};
+use pocketry_geom::offset::{BisectorEngine, Offset, OffsetEngine, OffsetOptions, bisector};
 use pocketry_testkit::corpus;
 use std::process::ExitCode;
 use std::time::Instant;
@@ -24,7 +25,7 @@ fn main() -> ExitCode {
         }
     }
     let engine = BisectorEngine { mitre_limit: limit, ..BisectorEngine::default() };
-    let (mut seen, mut failed, begun) = (0, 0, Instant::now());
+    let (mut seen, mut made, mut loops, mut failed, begun) = (0, 0, 0, 0, Instant::now());
     for record in files.iter().flat_map(|f| corpus::read(f.as_ref()).unwrap_or_default()) {
         let Some(region) = corpus::region(&record.loops).ok().filter(|_| record.id.contains(&only)) else { continue };
         if !region.segments().all(|s| matches!(s, Segment::Line(_))) {
@@ -38,22 +39,37 @@ fn main() -> ExitCode {
             let clock = Instant::now();
             let offsets = engine.offsets(&region, &[distance], &OffsetOptions::default());
             let (seconds, lines) = (clock.elapsed().as_secs_f64(), region.edge_count());
-            match offsets {
-                Ok(offsets) if seconds > slow => {
-                    println!(
-                        "{} ({lines} lines) at {distance}: {seconds:.2} s, {} loops",
-                        record.id,
-                        offsets[0].loops.len()
-                    );
-                }
-                Ok(_) => {}
+            let name = format!("{} ({lines} lines) at {distance}", record.id);
+            let offset = match offsets {
+                Ok(mut offsets) => offsets.remove(0),
                 Err(e) => {
                     failed += 1;
-                    println!("{} ({lines} lines): {e}", record.id);
+                    println!("{name}: {e}");
+                    continue;
                 }
+            };
+            made += 1;
+            loops += offset.loops.len();
+            if seconds > slow {
+                println!("{name}: {seconds:.2} s, {} loops", offset.loops.len());
+            }
+            let wrong = wrong_way_round(&offset);
+            if wrong > 0 {
+                failed += 1;
+                println!("{name}: {wrong} loops run the wrong way round");
             }
         }
     }
-    println!("{seen} regions in {:.1} s, {failed} offsets failed", begun.elapsed().as_secs_f64());
+    println!(
+        "{seen} regions, {made} offsets with {loops} loops in {:.1} s, {failed} failed",
+        begun.elapsed().as_secs_f64()
+    );
     if failed == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+/// Boundaries run counter-clockwise, islands clockwise.
+fn wrong_way_round(offset: &Offset) -> usize {
+    let remaining = bisector::remaining(offset);
+    let loops = remaining.contours().iter().zip(remaining.parents());
+    loops.filter(|(contour, parent)| (contour.area() > 0.0) != parent.is_none()).count()
 }

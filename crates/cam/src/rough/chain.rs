@@ -134,10 +134,12 @@ impl Chains<'_> {
             EntryKind::Ramp | EntryKind::Plunge => landing.at,
         };
         if entry == EntryKind::Plunge {
-            let (z, x, y) = (self.level.z, start.x, start.y);
-            self.level
-                .warnings
-                .push(format!("level z {z:.3} mm: plunge at ({x:.3}, {y:.3}): no room for a helix or a ramp"));
+            let (z, x, y, least) = (self.level.z, start.x, start.y, self.job.entry.least_ramp * self.job.tool.radius());
+            let length = length(path);
+            self.level.warnings.push(format!(
+                "level z {z:.3} mm: plunge at ({x:.3}, {y:.3}): the loop there is {length:.1} mm long, {least:.1} mm would do for a ramp, \
+                 and no helix fits; use a tool that cuts to its centre"
+            ));
         }
         if start != landing.at {
             let segments = vec![Segment::line(start, landing.at)];
@@ -162,8 +164,7 @@ impl Chains<'_> {
         if helix >= least && reach > 0.0 && clear() {
             return EntryKind::Helix { center, radius: helix };
         }
-        let length: f64 = path.iter().map(Segment::length).sum();
-        if length >= self.job.entry.least_ramp * tool { EntryKind::Ramp } else { EntryKind::Plunge }
+        if length(path) >= self.job.entry.least_ramp * tool { EntryKind::Ramp } else { EntryKind::Plunge }
     }
 
     fn push(&mut self, landing: Landing, group: usize) {
@@ -173,6 +174,10 @@ impl Chains<'_> {
         let (distance, level) = (track.distance, track.level);
         self.level.loops.push(PlannedLoop { segments, distance, level, group, degenerate: false });
     }
+}
+
+fn length(path: &[Segment]) -> f64 {
+    path.iter().map(Segment::length).sum()
 }
 
 /// A closed path from a place on it.
