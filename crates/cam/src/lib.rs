@@ -17,7 +17,7 @@ pub use plan::{
     Cleanup, EntryKind, Group, Link, LinkKind, Plan, PlanError, PlannedLoop, Uncut, Warning, plan, quickest,
 };
 pub use plan::{
-    Strategy, StrategyCost, inscribed_circle, pairwise_plans, plan_pairwise, plan_profile, plan_subpockets, plans,
-    quickest_plans,
+    Strategy, StrategyCost, inscribed_circle, pairwise_plans, plan_pairwise, plan_profile, plan_subpockets,
+    plan_turning, plans, quickest_plans,
 };
 pub use tools::{Choice, Narrow, Scallop, ToolFit, choose};

@@ -223,11 +223,15 @@ pub(crate) struct PocketArgs {
     /// Diameter of the tool, mm, or `auto`: the largest of --tools that meets --scallop. Region JSON may hold its own radius.
     #[arg(short, long, value_name = "MM|auto")]
     pub(crate) tool: Option<ToolArg>,
-    /// Cross-section of a tool that is not round and does not turn, mm: rect:WxH, rounded:WxHrR, stadium:LxW, ellipse:AxB,
+    /// Cross-section of a tool that is not round, mm: rect:WxH, rounded:WxHrR, stadium:LxW, ellipse:AxB,
     /// polygon:SIDESxDIAMETER (across corners), circle:D, file:DRAWING (drawn about X0 Y0); or cone:ANGLE, ball:D at --depth.
     /// @DEGREES at the end turns it.
     #[arg(long, value_name = "SHAPE", conflicts_with = "tool")]
     pub(crate) tool_profile: Option<ProfileArg>,
+    /// The tool of --tool-profile turns with the walls: its x axis along the nearest one, which lies on its -y side. The program
+    /// turns it with the rotary axis C.
+    #[arg(long, requires = "tool_profile")]
+    pub(crate) turning: bool,
     /// The program to write [default: the drawing's name with .ngc].
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
@@ -412,6 +416,9 @@ pub(crate) struct VerifyArgs {
     /// Cross-section of a tool that is not round, as for `pocket`.
     #[arg(long, value_name = "SHAPE", conflicts_with_all = ["tool", "stock_to_leave"])]
     pub(crate) tool_profile: Option<ProfileArg>,
+    /// The tool of --tool-profile turns with the walls, as for `pocket`.
+    #[arg(long, requires = "tool_profile")]
+    pub(crate) turning: bool,
     /// How deep the tool cuts, mm; for tool profiles that depend on it.
     #[arg(long, value_name = "MM", requires = "tool_profile", value_parser = positive)]
     pub(crate) depth: Option<f64>,

@@ -36,7 +36,7 @@ pub(crate) fn run(args: &PocketArgs) -> Result<Exit, Failure> {
     std::fs::create_dir_all(folder).map_err(|e| Failure::write(folder, e))?;
     let ids = unique_ids(&lines);
     let profile = args.tool_profile.as_ref().map(|p| p.shape(&args.drawing)).transpose()?;
-    let settings = Settings::new(args.tool, args.cut.clone(), args.machine.clone()).with_profile(profile);
+    let settings = Settings::new(args.tool, args.cut.clone(), args.machine.clone()).with_profile(profile, args.turning);
     let bar = progress(lines.len());
     let done: Vec<(JobReport, Exit)> = lines
         .par_iter()

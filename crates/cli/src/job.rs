@@ -6,7 +6,7 @@ use crate::failure::{Exit, Failure};
 use crate::report::{Details, JobReport, NOT_PROVEN, Status};
 use crate::settings::{Settings, Setup};
 use crate::toolbox;
-use pocketry_cam::{Choice, Plan, PlanError, PocketJob, StrategyCost, choose, plan_profile};
+use pocketry_cam::{Choice, Plan, PlanError, PocketJob, StrategyCost, choose};
 use pocketry_geom::Region;
 use pocketry_geom::offset::{VoronoiEngine, outward};
 use pocketry_geom::repair::{RepairOptions, build};
@@ -93,7 +93,7 @@ fn planned(
     setup: &Setup,
 ) -> Result<Vec<(Plan, StrategyCost)>, Failure> {
     if let Some(section) = &setup.profile {
-        let plan = plan_profile(region, &section.profile, &setup.job).map_err(|e| plan_failure(&e))?;
+        let plan = section.plan(region, &setup.job).map_err(|e| plan_failure(&e))?;
         let cost = StrategyCost::of(&plan, &setup.job);
         return Ok(vec![(plan, cost)]);
     }
@@ -187,7 +187,7 @@ pub(crate) fn prove(drawing: &Drawing, setup: &Setup, text: &str) -> Result<pock
     let unreadable =
         |e| Failure::new(Exit::NotProven, NOT_PROVEN, format!("the written program can't be read back: {e}"));
     match &setup.profile {
-        Some(s) => pocketry_verify::verify_profile(&drawing.region, text, s.profile.contour(), &options),
+        Some(section) => section.prove(&drawing.region, text, &options),
         None => pocketry_verify::verify(&drawing.region, text, &options),
     }
     .map_err(unreadable)
@@ -217,7 +217,10 @@ pub(crate) fn places(proof: &pocketry_verify::Report) -> Vec<String> {
 fn header(id: &str, setup: &Setup, plan: &Plan, figures: &Figures) -> Vec<String> {
     let job: &PocketJob = &setup.job;
     let tool = match &setup.profile {
-        Some(section) => format!("T{}: does not turn, {}", job.tool.number, section.shape),
+        Some(section) => {
+            let turns = if section.turns { "turns with the walls (C)" } else { "does not turn" };
+            format!("T{}: {turns}, {}", job.tool.number, section.shape)
+        }
         None => format!("T{}: end mill, diameter {} mm", job.tool.number, figure(job.tool.diameter)),
     };
     let cut = match job.direction {

@@ -24,7 +24,8 @@ pub(crate) fn of_job(name: &str, region: &Region, job: &Proven, with_skeleton: b
     picture.add("entry", Look::Entry, paths(&job.plan.program, |m| m.feed() == Some(FeedKind::Ramp)));
     picture.add("rapid", Look::Rapid, paths(&job.plan.program, |m| m.feed().is_none()));
     if let (Some(section), Some(group)) = (&job.setup.profile, job.plan.groups.first()) {
-        let tool = section.profile.contour().translated(group.start.to_vec());
+        let turned = job.plan.program.headings.first().copied().unwrap_or(0.0);
+        let tool = section.profile.rotated(turned).contour().translated(group.start.to_vec());
         picture.add("tool at its first entry", Look::Thin, vec![tool.segments]);
     }
     let uncut = |s: &pocketry_verify::Spot| Spot { at: s.at, radius: s.radius, name: "left uncut".to_owned() };

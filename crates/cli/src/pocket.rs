@@ -24,7 +24,7 @@ pub(crate) fn run(args: &PocketArgs) -> Result<(), Failure> {
         drawing.id.clone().unwrap_or_else(|| args.input.file_name().unwrap_or_default().to_string_lossy().into_owned());
     let mut report = JobReport::named(name);
     let profile = args.tool_profile.as_ref().map(|p| p.shape(&args.drawing)).transpose()?;
-    let settings = Settings::new(args.tool, args.cut.clone(), args.machine.clone()).with_profile(profile);
+    let settings = Settings::new(args.tool, args.cut.clone(), args.machine.clone()).with_profile(profile, args.turning);
     let result = job::run(&mut drawing, &settings, &mut report);
     console::warnings(&report.warnings);
     let proven = result?;
@@ -80,14 +80,12 @@ pub(crate) fn out_of_reach(proof: &pocketry_verify::Report) -> String {
 
 fn said_of_profile(target: &Path, proven: &Proven, section: &Section) -> String {
     format!(
-        "{}: {} loops, {} mm of cutting, {} retracts, about {}\n\
-         proven: no wall is entered by more than {} mm, everything cut that {} can reach\n",
+        "{}: {} loops, {} mm of cutting, {} retracts, about {}\n{}",
         target.display(),
         proven.plan.loops.len(),
         figure(proven.figures.cut_length),
         proven.figures.retracts,
         duration(proven.figures.machine_seconds),
-        figure(proven.proof.gouge_depth()),
-        section.shape,
+        section.said(&proven.proof),
     )
 }

@@ -16,7 +16,8 @@ pub(crate) struct Settings {
     pub(crate) cut: CutArgs,
     machine: MachineArgs,
     /// A tool that is not round.
-    profile: Option<ToolShape>,
+    /// And whether it turns with the walls.
+    profile: Option<(ToolShape, bool)>,
 }
 
 /// Everything that has to be known to cut one region and to write its program.
@@ -50,15 +51,15 @@ impl Settings {
         Self { tool, cut, machine, profile: None }
     }
 
-    /// The same for a tool that is not round.
-    pub(crate) fn with_profile(self, profile: Option<ToolShape>) -> Self {
-        Self { profile, ..self }
+    /// The same for a tool that is not round, and may turn with the walls.
+    pub(crate) fn with_profile(self, profile: Option<ToolShape>, turns: bool) -> Self {
+        Self { profile: profile.map(|shape| (shape, turns)), ..self }
     }
 
     /// The setup for a region; the file's own tool radius and interval (mm) stand where none were typed.
     pub(crate) fn resolve(&self, file_radius: Option<f64>, file_interval: Option<f64>) -> Result<Setup, Failure> {
-        if let Some(shape) = &self.profile {
-            return self.resolve_profile(shape);
+        if let Some((shape, turns)) = &self.profile {
+            return self.resolve_profile(shape, *turns);
         }
         let typed = match self.tool {
             Some(ToolArg::Diameter(diameter)) => Some(diameter),
@@ -77,7 +78,7 @@ impl Settings {
     }
 
     /// The setup for a tool of this cross-section.
-    fn resolve_profile(&self, shape: &ToolShape) -> Result<Setup, Failure> {
+    fn resolve_profile(&self, shape: &ToolShape, turns: bool) -> Result<Setup, Failure> {
         if self.cut.boundary == Boundary::Cl {
             return Err(Failure::arguments("--boundary cl is for round tools; with --tool-profile draw the walls"));
         }
@@ -85,7 +86,7 @@ impl Settings {
             let message = "--stock-to-leave is for round tools; with --tool-profile give a profile that much larger";
             return Err(Failure::arguments(message));
         }
-        let section = Section::at(shape, self.cut.depth.or(self.cut.stepdown))?;
+        let section = Section::at(shape, turns, self.cut.depth.or(self.cut.stepdown))?;
         let setup = self.resolve_for(2.0 * section.radius, None)?;
         Ok(Setup { any_stepover: false, profile: Some(section), ..setup })
     }

@@ -1,11 +1,13 @@
 //! Tools of any cross-section: what `--tool-profile` says.
 
 use crate::args::DrawingArgs;
+use crate::console::figure;
 use crate::drawing;
 use crate::failure::{Exit, Failure};
 use crate::job::plan_failure;
-use pocketry_cam::inscribed_circle;
-use pocketry_geom::{ToolProfile, ToolShape};
+use pocketry_cam::{Plan, PlanError, PocketJob, inscribed_circle, plan_profile, plan_turning};
+use pocketry_geom::{Region, ToolProfile, ToolShape};
+use pocketry_verify::{ProgramError, Report, VerifyOptions, verify_profile, verify_turning};
 use std::path::PathBuf;
 use std::str::FromStr;
 
@@ -69,18 +71,48 @@ pub(crate) struct Section {
     pub(crate) profile: ToolProfile,
     /// Radius of the largest circle in it, mm.
     pub(crate) radius: f64,
+    /// Whether it turns with the walls.
+    pub(crate) turns: bool,
 }
 
 impl Section {
     /// The section for a pocket of this depth (mm); only tapered tools need one.
-    pub(crate) fn at(shape: &ToolShape, depth: Option<f64>) -> Result<Self, Failure> {
+    pub(crate) fn at(shape: &ToolShape, turns: bool, depth: Option<f64>) -> Result<Self, Failure> {
         if shape.is_tapered() && depth.is_none() {
             let message = format!("the profile of {shape} depends on how deep it cuts: say --depth");
             return Err(Failure::arguments(message));
         }
         let profile = shape.section(depth.unwrap_or(0.0));
         let (_, radius) = inscribed_circle(&profile).map_err(|e| plan_failure(&e))?;
-        Ok(Self { shape: shape.clone(), profile, radius })
+        Ok(Self { shape: shape.clone(), profile, radius, turns })
+    }
+
+    /// Plans a pocket for it.
+    pub(crate) fn plan(&self, region: &Region, job: &PocketJob) -> Result<Plan, PlanError> {
+        let planner = if self.turns { plan_turning } else { plan_profile };
+        planner(region, &self.profile, job)
+    }
+
+    /// Judges a program for it.
+    pub(crate) fn prove(&self, region: &Region, text: &str, options: &VerifyOptions) -> Result<Report, ProgramError> {
+        let judge = if self.turns { verify_turning } else { verify_profile };
+        judge(region, text, self.profile.contour(), options)
+    }
+
+    /// What the proof says, for people.
+    pub(crate) fn said(&self, proof: &Report) -> String {
+        let (depth, shape) = (figure(proof.gouge_depth()), &self.shape);
+        if self.turns {
+            return format!(
+                "proven: no wall is entered by more than {depth} mm, everything cut that {shape} can reach along the walls and where \
+                 it turns freely\n"
+            );
+        }
+        format!(
+            "proven: no wall is entered by more than {depth} mm, everything cut that {shape} can reach; it can't reach {} mm² of {} mm²\n",
+            figure(proof.unreachable_area),
+            figure(proof.region_area),
+        )
     }
 }
 

@@ -9,7 +9,7 @@ use crate::output::{print, write_file};
 use crate::pocket::out_of_reach;
 use crate::report::NOT_PROVEN;
 use crate::tool_profile::Section;
-use pocketry_verify::{ProgramError, Report, VerifyOptions, verify_profile};
+use pocketry_verify::{ProgramError, Report, VerifyOptions};
 use serde::Serialize;
 
 #[derive(Serialize)]
@@ -26,17 +26,10 @@ pub(crate) fn run(args: &VerifyArgs) -> Result<(), Failure> {
     let text = String::from_utf8_lossy(&bytes);
     console::warnings(&drawing.warnings);
     if let Some(profile) = &args.tool_profile {
-        let section = Section::at(&profile.shape(&args.drawing)?, args.depth)?;
+        let section = Section::at(&profile.shape(&args.drawing)?, args.turning, args.depth)?;
         let options = VerifyOptions { top: args.top, depth: args.depth, ..VerifyOptions::new(section.radius) };
-        let proof = verify_profile(&drawing.region, &text, section.profile.contour(), &options);
-        let said = |proof: &Report| {
-            let depth = figure(proof.gouge_depth());
-            format!(
-                "proven: no wall is entered by more than {depth} mm, everything cut that {} can reach\n",
-                section.shape
-            )
-        };
-        return told(args, proof, said);
+        let proof = section.prove(&drawing.region, &text, &options);
+        return told(args, proof, |proof| section.said(proof));
     }
     let radius = args.tool.map(|d| 0.5 * d).or(drawing.tool_radius);
     let Some(radius) = radius else {

@@ -7,6 +7,7 @@ pub mod bbox;
 pub mod chain;
 pub mod contour;
 pub mod distance;
+pub mod freeform;
 pub mod index;
 pub mod intersect;
 pub mod leftover;

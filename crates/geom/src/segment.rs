@@ -339,6 +339,20 @@ impl Segment {
         }
     }
 
+    /// Turned about the origin by an angle, radians counter-clockwise.
+    #[must_use]
+    pub fn rotated(&self, angle: f64) -> Self {
+        if angle == 0.0 {
+            return *self;
+        }
+        let (sin, cos) = angle.sin_cos();
+        let turn = |p: Point| Point::new(cos * p.x - sin * p.y, sin * p.x + cos * p.y);
+        match *self {
+            Self::Line(l) => Self::line(turn(l.start), turn(l.end)),
+            Self::Arc(a) => Self::Arc(Arc { start: turn(a.start), end: turn(a.end), center: turn(a.center), ..a }),
+        }
+    }
+
     /// Points on the segment, start included and end left out, such that no chord lies farther than `tolerance` from it.
     pub fn flatten(&self, tolerance: f64, out: &mut Vec<Point>) {
         out.push(self.start());

@@ -263,6 +263,9 @@ pub mod profile {
     pub const JOINED: f64 = 1e-7;
     /// Directions nearer than this are the same, radians.
     pub const PARALLEL: f64 = 1e-9;
+    /// Where a turning profile's direction jumps by less, it goes on: a point 20 mm away then moves by 0.0002 mm, a tenth of the gouge
+    /// tolerance. Radians.
+    pub const SMOOTH_TURN: f64 = 1e-5;
 }
 
 /// Tolerances of the bisector engine, *relative* unless said otherwise.

@@ -17,6 +17,14 @@ pub enum ProgramFault {
         /// Which move.
         index: usize,
     },
+    /// A tool that turns has no direction for each move.
+    #[error("the program has {headings} directions of the tool for {moves} moves")]
+    Headings {
+        /// How many directions.
+        headings: usize,
+        /// How many moves.
+        moves: usize,
+    },
     /// The program must begin in the air.
     #[error("the program must begin with a rapid move at or above the stock's top, z = {top} mm")]
     StartsInStock {
@@ -53,12 +61,17 @@ pub enum ProgramFault {
 
 impl Program {
     /// Checks that all numbers are finite, that the program begins and ends in the air, that both ends of each arc
-    /// lie on one circle, and that nothing below the stock's top runs at rapid speed, straight lifts excepted.
+    /// lie on one circle, that a tool that turns has a direction for each move, and that nothing below the stock's top runs at rapid speed, straight lifts excepted.
     ///
     /// # Errors
     /// The first fault found.
     pub fn check(&self, stock: &Stock) -> Result<(), ProgramFault> {
-        if let Some(index) = self.moves.iter().position(|m| !is_finite(m)) {
+        let (headings, moves) = (self.headings.len(), self.moves.len());
+        if headings > 0 && headings != moves {
+            return Err(ProgramFault::Headings { headings, moves });
+        }
+        let turns_well = |k: usize| self.headings.get(k).is_none_or(|h| h.is_finite());
+        if let Some(index) = (0..moves).find(|&k| !is_finite(&self.moves[k]) || !turns_well(k)) {
             return Err(ProgramFault::NotFinite { index });
         }
         let (Some(first), Some(last)) = (self.moves.first(), self.moves.last()) else {
@@ -124,6 +137,7 @@ mod tests {
                 Move::Arc { to: at(-1.0, 0.0, -5.0), center: point(0.0, 0.0), ccw: true, feed: FeedKind::Cut },
                 Move::Rapid { to: at(-1.0, 0.0, 5.0) },
             ],
+            ..Program::default()
         }
     }
 

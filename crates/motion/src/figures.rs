@@ -66,6 +66,7 @@ mod tests {
                 Move::Line { to: at(60.0, -3.0), feed: FeedKind::Cut },
                 Move::Rapid { to: at(60.0, 10.0) },
             ],
+            ..Program::default()
         };
         let feeds = Feeds { cut: 600.0, plunge: 100.0, rapid: 2100.0, ..Feeds::default() };
         let sum = program.figures(&feeds, &Stock { top: 0.0, depth: 3.0 });

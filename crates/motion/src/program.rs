@@ -77,6 +77,9 @@ pub enum Move {
 pub struct Program {
     /// In order of execution.
     pub moves: Vec<Move>,
+    /// Direction of a tool that turns with the walls at the end of each move, radians counter-clockwise, full turns counted on: the rotary
+    /// axis C. Linear along the move. Empty for all other tools.
+    pub headings: Vec<f64>,
 }
 
 impl Move {

@@ -29,7 +29,7 @@ mod walls;
 
 pub use gcode::ProgramError;
 pub use options::{Budget, PathControl, VerifyOptions};
-pub use profile::verify_profile;
+pub use profile::{verify_profile, verify_turning};
 pub use report::{Figures, Gouge, Report, Spot, Violation};
 pub use surface::{RoughOptions, RoughReport, verify_rough};
 
@@ -96,13 +96,16 @@ struct FinalPath {
 
 /// The moves that lie at the lowest height of the program as a whole, below the stock's top.
 fn final_path(trace: &Trace, top: f64) -> FinalPath {
-    let floor = trace.motions.iter().map(Motion::low).fold(f64::INFINITY, f64::min);
-    let at_floor = |m: &&Motion| m.low() < top && m.high() <= floor + SAME_HEIGHT;
-    let motions = || trace.motions.iter().filter(at_floor);
     FinalPath {
-        curves: motions().flat_map(|m| trace.curves_of(m)).copied().collect(),
-        slack: motions().map(|m| m.slack).fold(0.0, f64::max),
+        curves: final_motions(trace, top).flat_map(|m| trace.curves_of(m)).copied().collect(),
+        slack: final_motions(trace, top).map(|m| m.slack).fold(0.0, f64::max),
     }
+}
+
+/// See [`final_path`].
+fn final_motions(trace: &Trace, top: f64) -> impl Iterator<Item = &Motion> {
+    let floor = trace.motions.iter().map(Motion::low).fold(f64::INFINITY, f64::min);
+    trace.motions.iter().filter(move |m| m.low() < top && m.high() <= floor + SAME_HEIGHT)
 }
 
 /// Whether the final moves cover all that can be reached.

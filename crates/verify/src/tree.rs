@@ -138,12 +138,17 @@ impl Tree {
 
     /// Calls `visit` for every segment that may lie within `margin` of a curve, until it says to stop (`false`).
     pub(crate) fn near(&self, curve: &Segment, margin: f64, mut visit: impl FnMut(&Segment) -> bool) {
+        self.near_by_id(curve, margin, |_, segment| visit(segment));
+    }
+
+    /// The same with each segment's place in the list.
+    pub(crate) fn near_by_id(&self, curve: &Segment, margin: f64, mut visit: impl FnMut(u32, &Segment) -> bool) {
         let probe = Probe { curve, bbox: curve.bbox() };
         let mut limit = margin;
         self.walk(
             |b| probe.bound(b),
             |limit, item| {
-                if probe.bound(&item.bbox) < margin && !visit(&item.segment) {
+                if probe.bound(&item.bbox) < margin && !visit(item.id, &item.segment) {
                     *limit = f64::NEG_INFINITY;
                 }
             },

@@ -29,6 +29,7 @@ mod strategy;
 mod subpockets;
 mod through;
 mod track;
+mod turning;
 mod ways;
 
 use crate::job::PocketJob;
@@ -50,6 +51,7 @@ pub use quickest::quickest;
 pub use report::{EntryKind, Group, Link, LinkKind, Plan, PlanError, PlannedLoop, Warning};
 pub use strategy::{Strategy, StrategyCost, pairwise_plans, plans, quickest_plans};
 pub use subpockets::plan_subpockets;
+pub use turning::plan_turning;
 
 /// More loops or passes than this are a slip of the finger.
 const MOST_LEVELS: f64 = 100_000.0;

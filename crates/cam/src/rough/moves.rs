@@ -23,7 +23,7 @@ pub(super) fn write(levels: &[Level], job: &RoughJob) -> Program {
         }
     }
     out.lift(job.heights.clearance);
-    Program { moves: out.moves }
+    Program { moves: out.moves, ..Program::default() }
 }
 
 /// A loop of a group and the way that leads to it from the loop before.

@@ -74,3 +74,67 @@ fn a_cone_is_as_wide_as_its_depth_makes_it() {
     let judged = pocketry().args(["verify", &drawing, &program, "--tool", "6"]).output().unwrap();
     assert_eq!(judged.status.code(), Some(0), "a round tool of 6 mm: {}", stderr(&judged));
 }
+
+#[test]
+fn a_tool_that_turns_with_the_walls_makes_a_proven_program_with_c_words() {
+    let folder = Sandbox::new();
+    folder.write("pocket.json", POCKET);
+    let (drawing, program, plot) = (folder.path("pocket.json"), folder.path("a.ngc"), folder.path("a.svg"));
+    for (profile, way) in [("rect:6x2", ""), ("rounded:6x3r1", "--conventional"), ("ellipse:6x3", "")] {
+        let mut command = pocketry();
+        command.args(["pocket", &drawing, "--tool-profile", profile, "--turning", "--depth", "2", "-o", &program]);
+        let run = command.args(["--plot", &plot]).args(Some(way).filter(|w| !w.is_empty())).output().unwrap();
+        assert_eq!(run.status.code(), Some(0), "{profile}: {}", stderr(&run));
+        let text = folder.read("a.ngc");
+        assert!(text.contains("turns with the walls") && text.contains(" C"), "{profile}");
+        let judge = |more: &[&str]| {
+            let run =
+                pocketry().args(["verify", &drawing, &program, "--tool-profile", profile]).args(more).output().unwrap();
+            run.status.code()
+        };
+        assert_eq!(judge(&["--turning"]), Some(0), "{profile}");
+        assert_ne!(judge(&[]), Some(0), "{profile}: it does turn");
+    }
+}
+
+#[test]
+fn a_tool_is_drawn_in_svg_or_dxf_too() {
+    let folder = Sandbox::new();
+    folder.write("pocket.json", POCKET);
+    folder.write(
+        "tool.svg",
+        r#"<svg xmlns="http://www.w3.org/2000/svg" width="10mm" height="10mm" viewBox="-5 -5 10 10"><path d="M-3-2H3V2H-3Z"/></svg>"#,
+    );
+    let vertex = |x: f64, y: f64| format!("0\nVERTEX\n8\n0\n10\n{x}\n20\n{y}\n");
+    let corners = [(-3.0, -2.0), (3.0, -2.0), (3.0, 2.0), (-3.0, 2.0)].map(|(x, y)| vertex(x, y)).concat();
+    folder.write(
+        "tool.dxf",
+        format!("0\nSECTION\n2\nENTITIES\n0\nPOLYLINE\n8\n0\n66\n1\n70\n1\n{corners}0\nSEQEND\n0\nENDSEC\n0\nEOF\n"),
+    );
+    let drawing = folder.path("pocket.json");
+    for name in ["tool.svg", "tool.dxf"] {
+        let (profile, program) = (format!("file:{}", folder.path(name)), folder.path("a.ngc"));
+        let args = ["--tool-profile", &profile, "-o", &program];
+        let run = pocketry().args(["pocket", &drawing]).args(args).output().unwrap();
+        assert_eq!(run.status.code(), Some(0), "{name}: {}", stderr(&run));
+        let judged = pocketry().args(["verify", &drawing, &program, "--tool-profile", "rect:6x4"]).output().unwrap();
+        assert_eq!(judged.status.code(), Some(0), "{name}: {}", stderr(&judged));
+    }
+}
+
+#[test]
+fn the_report_tells_what_a_profile_cannot_reach() {
+    let folder = Sandbox::new();
+    folder.write("pocket.json", POCKET);
+    let (drawing, report) = (folder.path("pocket.json"), folder.path("r.json"));
+    let left = |profile: &str| {
+        let args = ["--tool-profile", profile, "-o", &folder.path("a.ngc"), "--report", &report];
+        let run = pocketry().args(["pocket", &drawing]).args(args).output().unwrap();
+        assert_eq!(run.status.code(), Some(0), "{profile}: {}", stderr(&run));
+        let read: serde_json::Value = serde_json::from_str(&folder.read("r.json")).unwrap();
+        read["unreachable_area"].as_f64().unwrap()
+    };
+    let corners = (4.0 - std::f64::consts::PI) * 4.0;
+    assert!((left("circle:4") - corners).abs() < 1.0, "{}", left("circle:4"));
+    assert!(left("rect:4x4") < left("circle:4"));
+}

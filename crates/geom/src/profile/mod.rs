@@ -9,13 +9,14 @@
 
 mod ellipse;
 mod shape;
+pub mod turning;
 
 pub use shape::{ToolShape, ToolShapeError};
 
 use crate::contour::Contour;
 use crate::point::{Point, Vec2};
 use crate::repair::{RegionError, RepairOptions, build};
-use crate::segment::{Arc, Segment};
+use crate::segment::Segment;
 use crate::tolerance::TANGENT;
 
 /// A tool's cross-section: a closed contour of lines and arcs about its reference point, the origin.
@@ -139,17 +140,7 @@ impl ToolProfile {
     /// The same tool turned about its reference point by `angle` radians, counter-clockwise.
     #[must_use]
     pub fn rotated(&self, angle: f64) -> Self {
-        if angle == 0.0 {
-            return self.clone();
-        }
-        let turn = |p: Point| p.to_vec().rotated(angle).to_point();
-        let segments = self.contour.segments.iter().map(|s| match *s {
-            Segment::Line(l) => Segment::line(turn(l.start), turn(l.end)),
-            Segment::Arc(a) => {
-                Segment::Arc(Arc { start: turn(a.start), end: turn(a.end), center: turn(a.center), ..a })
-            }
-        });
-        Self { contour: Contour::new(segments.collect()) }
+        Self { contour: Contour::new(self.contour.segments.iter().map(|s| s.rotated(angle)).collect()) }
     }
 
     /// Whether it bends to the left only.

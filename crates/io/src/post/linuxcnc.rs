@@ -2,7 +2,8 @@
 //!
 //! The interpreter's rules that matter here: arc centres relative to the start (G91.1); an arc's two radii may differ
 //! by the set tolerance only; a sweep below 1e-6 is read as a full turn; a plain G64 would cut corners without bound,
-//! so exact path (G61) is said unless a blending tolerance is asked for; comments can't hold brackets.
+//! so exact path (G61) is said unless a blending tolerance is asked for; comments can't hold brackets. The rotary axis of a tool
+//! that turns is C, in degrees; it goes along linearly with lines and arcs, and F stays the speed along the path.
 
 use super::words::{Blocks, plain};
 use super::{Dialect, PathControl, PostError, PostOptions};
@@ -22,8 +23,8 @@ impl Dialect for LinuxCnc {
         check_speeds(options)?;
         let mut blocks = Blocks::new(options);
         header(&mut blocks, options, self.name());
-        for step in &program.moves {
-            blocks.step(step)?;
+        for (k, step) in program.moves.iter().enumerate() {
+            blocks.step(step, program.headings.get(k).copied())?;
         }
         for word in ["M5", "M9", "M2"] {
             blocks.line(word);
@@ -97,6 +98,7 @@ mod tests {
                 Move::Line { to: at(6.0, 3.0, -1.0), feed: FeedKind::Cut },
                 Move::Rapid { to: at(6.0, 3.0, 10.0) },
             ],
+            ..Program::default()
         }
     }
 
@@ -133,9 +135,31 @@ mod tests {
                 Move::Rapid { to: at(1.0, 1.0, 9.0) },
                 Move::Rapid { to: at(2.0, 2.0, 3.0) },
             ],
+            ..Program::default()
         };
         let lines = lines_after_setup(&program, OutputUnit::Millimetre);
         assert_eq!(lines[2..6], ["Z9.0", "X1.0 Y1.0", "X2.0 Y2.0", "Z3.0"]);
+    }
+
+    #[test]
+    fn a_tool_that_turns_has_c_words() {
+        let turn = std::f64::consts::FRAC_PI_2;
+        let headings = vec![0.0, 0.0, 4.0 * turn, 4.0 * turn, 4.0 * turn, 4.0 * turn, 5.0 * turn];
+        let program = Program { headings, ..small_program() };
+        let expected = [
+            "G0 Z10.0",
+            "X5.0 Y0.0 C0.0000",
+            "Z2.0",
+            "G3 X-5.0 Y0.0 Z0.5 C180.0000 I-5.0 J0.0 F300",
+            "X5.0 Y0.0 Z-1.0 C360.0000 I5.0 J0.0",
+            "G1 Y3.0 F600",
+            "X6.0",
+            "G0 Z10.0",
+            "C450.0000",
+        ];
+        assert_eq!(lines_after_setup(&program, OutputUnit::Millimetre)[..9], expected);
+        let inches = lines_after_setup(&program, OutputUnit::Inch);
+        assert!(inches[3].contains("C180.0000"), "{}", inches[3]);
     }
 
     #[test]

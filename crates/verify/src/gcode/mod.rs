@@ -1,6 +1,6 @@
 //! Reads a G-code program back as the control would: the part of LinuxCNC's language that milling posts write.
 //!
-//! Taken: G0–G3 (lines, arcs by I J or R, helices, full circles, P turns), G4, G17, G20/G21, G40, G49, G54, G61, G61.1,
+//! Taken: G0–G3 (lines, arcs by I J or R, helices, full circles, P turns, with the rotary axis C), G4, G17, G20/G21, G40, G49, G54, G61, G61.1,
 //! G64 with P and Q, G80, G90/G91, G90.1/G91.1, G94, M0–M9, M30, M48/M49, F, S, T, H, N, comments, `%`. Everything else, parameters,
 //! expressions, subroutines, canned cycles and tool compensation among them, is refused with its line: what can't be
 //! read for certain can't be proven.
@@ -44,6 +44,10 @@ pub(crate) struct Motion {
     pub(crate) slack: f64,
     /// Whether the start in the plane was known.
     pub(crate) known: bool,
+    /// The rotary axis C at both ends, radians counter-clockwise; 0 where it is not known.
+    pub(crate) turn: [f64; 2],
+    /// Whether it is known at both ends.
+    pub(crate) turn_known: bool,
 }
 
 impl Motion {
@@ -73,6 +77,8 @@ pub(crate) struct Trace {
     pub(crate) resolution: f64,
     /// First line that cuts under a path control without a tolerance (plain G64, or none set).
     pub(crate) unbounded_blending: Option<u32>,
+    /// First line that sets C to anything but whole turns.
+    pub(crate) turned: Option<u32>,
     /// First line that cuts while the spindle stands.
     pub(crate) spindle_stopped: Option<u32>,
     /// Whether M2 or M30 ended it.
@@ -135,6 +141,14 @@ pub enum ProgramError {
         "line {line}: the move starts at a place that the program has not set: start with rapid moves to X, Y and Z in G90"
     )]
     UnknownStart {
+        /// Line of the program, from 1.
+        line: u32,
+    },
+    /// C words where the tool is said to keep its direction.
+    #[error(
+        "line {line}: C turns the tool, but its profile was said to keep its direction; say that it turns with the walls"
+    )]
+    Turns {
         /// Line of the program, from 1.
         line: u32,
     },

@@ -12,6 +12,9 @@ const INCH: f64 = 25.4;
 /// No machine goes farther, mm: no drawing does.
 const LARGEST: f64 = pocketry_geom::tolerance::ABSURD;
 
+/// No rotary axis goes farther, degrees.
+const MOST_DEGREES: f64 = 1e7;
+
 /// The modal motion.
 #[derive(Clone, Copy, PartialEq)]
 enum Mode {
@@ -46,6 +49,8 @@ struct State {
     feed: bool,
     spindle: bool,
     at: [Option<f64>; 3],
+    /// The rotary axis C, degrees.
+    turn: Option<f64>,
 }
 
 /// Reads a program.
@@ -59,6 +64,7 @@ pub(crate) fn read(text: &str) -> Result<Trace, ProgramError> {
         feed: false,
         spindle: false,
         at: [None; 3],
+        turn: None,
     };
     let mut trace = Trace { resolution: f64::INFINITY, ..Trace::default() };
     let mut buffer = Vec::new();
@@ -90,7 +96,7 @@ impl Block {
         for &word in words {
             match word.letter {
                 'G' | 'M' => block.codes.push(word),
-                'F' | 'H' | 'I' | 'J' | 'K' | 'N' | 'P' | 'Q' | 'R' | 'S' | 'T' | 'X' | 'Y' | 'Z' => {
+                'C' | 'F' | 'H' | 'I' | 'J' | 'K' | 'N' | 'P' | 'Q' | 'R' | 'S' | 'T' | 'X' | 'Y' | 'Z' => {
                     let slot = &mut block.values[word.letter as usize - 'A' as usize];
                     if slot.replace(word).is_some() {
                         return Err(ProgramError::Clash { line, word: word.text() });
@@ -146,7 +152,8 @@ impl State {
             }
         }
         self.feed |= block.value('F').is_some_and(|f| f > 0.0);
-        if !dwell && block.has_any("XYZIJKR") || motion_named && block.has_any("XYZIJKR") {
+        let moves = block.has_any("CXYZIJKR");
+        if moves && (!dwell || motion_named) {
             self.motion(block, trace)?;
         }
         trace.ended |= stop;
@@ -249,7 +256,7 @@ impl State {
             return Err(ProgramError::NoFeed { line });
         }
         let end = self.target(block, trace)?;
-        let start = self.at;
+        let (start, turn) = (self.at, (self.turn, self.turn_target(block, trace)?));
         if kind != Kind::Rapid && (start.contains(&None) || end.contains(&None)) {
             return Err(ProgramError::UnknownStart { line });
         }
@@ -278,12 +285,32 @@ impl State {
             length: flat_length.hypot(rise),
             slack: slack + blending,
             known,
+            turn: [turn.0.or(turn.1), turn.1].map(|c| c.unwrap_or(0.0).to_radians()),
+            turn_known: turn.0.is_some(),
         });
         if kind != Kind::Rapid && !self.spindle {
             trace.spindle_stopped.get_or_insert(line);
         }
         self.at = end;
+        self.turn = turn.1;
         Ok(())
+    }
+
+    /// Where the block's C word turns the rotary axis, degrees.
+    fn turn_target(&self, block: &Block, trace: &mut Trace) -> Result<Option<f64>, ProgramError> {
+        let Some(word) = block.word('C') else { return Ok(self.turn) };
+        let base = match self.targets {
+            Frame::Absolute => 0.0,
+            Frame::Relative => self.turn.ok_or(ProgramError::UnknownStart { line: block.line })?,
+        };
+        let turn = base + word.value;
+        if turn.abs() > MOST_DEGREES {
+            return Err(ProgramError::Range { line: block.line, word: word.text() });
+        }
+        if turn % 360.0 != 0.0 {
+            trace.turned.get_or_insert(block.line);
+        }
+        Ok(Some(turn))
     }
 
     /// How far blending may take the tool off this move.

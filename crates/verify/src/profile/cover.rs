@@ -1,13 +1,18 @@
 //! Is all of the inside swept? A subdivision of the plane.
 
 use super::places::Places;
-use super::shape::{Shape, reflected};
+use super::pose::Part;
+use super::shape::Shape;
 use crate::tree::Tree;
 use crate::walls::Walls;
 use pocketry_geom::{BBox, Point, Segment, Vec2};
 
 /// Cells are divided until their half diagonal is below this share of the tube about the path.
 const FINEST: f64 = 0.1;
+
+/// Cells that are not swept as a whole are divided until their half diagonal is below this share of the radius of the profile's largest
+/// circle, for the area's sake.
+const COARSEST: f64 = 0.03;
 
 /// A square cell.
 #[derive(Clone, Copy)]
@@ -16,11 +21,31 @@ struct Cell {
     half: f64,
 }
 
-/// A point that may be left uncut though every place that covers it is admissible. `tube` widens the profile.
-pub(crate) fn uncovered(walls: &Walls, places: &Places, path: &[Segment], tube: f64, bbox: BBox) -> Option<Point> {
-    let sweep = Sweep { tree: Tree::new(path), shape: places.shape, tube };
+/// What is out of reach; or a point that may be left uncut though every place that covers it is admissible.
+pub(crate) fn uncovered(walls: &Walls, places: &Places, sweep: &Sweep, bbox: BBox) -> Result<Beyond, Point> {
     let samples = samples(places.shape);
-    let size = places.shape.depth_within;
+    let missing = |p: Point, around: f64| samples.iter().any(|b| places.exclude(p - *b, around));
+    divided(walls, sweep, bbox, missing)
+}
+
+/// A point that may be left uncut though the profile, turning about it, keeps clear of the walls.
+pub(crate) fn uncovered_free(walls: &Walls, sweep: &Sweep, bbox: BBox) -> Option<Point> {
+    divided(walls, sweep, bbox, |p, around| walls.tree.any_within(p, sweep.shape.reach - around)).err()
+}
+
+/// What of the region is out of reach.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Beyond {
+    /// mm².
+    pub(crate) area: f64,
+    /// By how much that may be wrong: the cells on the edge of what is swept and on walls, mm².
+    pub(crate) error: f64,
+}
+
+/// What is `missing` among what must be swept; or a point of the region that is neither that nor known to be swept.
+fn divided(walls: &Walls, sweep: &Sweep, bbox: BBox, missing: impl Fn(Point, f64) -> bool) -> Result<Beyond, Point> {
+    let mut beyond = Beyond::default();
+    let size = sweep.shape.depth_within;
     let (columns, rows) = ((bbox.width() / size).ceil().max(1.0), (bbox.height() / size).ceil().max(1.0));
     let mut cells: Vec<Cell> = Vec::new();
     for row in 0..rows as u32 {
@@ -31,29 +56,56 @@ pub(crate) fn uncovered(walls: &Walls, places: &Places, path: &[Segment], tube: 
     }
     while let Some(cell) = cells.pop() {
         let around = cell.half * std::f64::consts::SQRT_2;
-        let missing = || samples.iter().any(|b| places.exclude(cell.center - *b, around));
-        let outside = || !walls.tree.any_within(cell.center, around) && !walls.contain(cell.center);
-        if outside() || sweep.holds(cell.center, around) || missing() {
+        let on_wall = walls.tree.any_within(cell.center, around);
+        if !on_wall && !walls.contain(cell.center) || sweep.holds(cell.center, around) {
             continue;
         }
-        if around < FINEST * tube {
-            return Some(cell.center);
+        let is_small = around < COARSEST * size;
+        if is_small && missing(cell.center, around) {
+            // All else that must be swept is known to be: what is not is out of reach.
+            let area = 4.0 * cell.half * cell.half;
+            if walls.contain(cell.center) && !sweep.comes_within(cell.center, 0.0) {
+                beyond.area += area;
+            }
+            if on_wall || sweep.comes_within(cell.center, around) {
+                beyond.error += area;
+            }
+            continue;
+        }
+        if around < FINEST * sweep.tube {
+            return Err(cell.center);
         }
         let half = 0.5 * cell.half;
         let quarters = [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)];
         cells.extend(quarters.map(|(i, j)| Cell { center: cell.center + Vec2::new(i, j) * half, half }));
     }
-    None
+    Ok(beyond)
 }
 
 /// What the profile sweeps, widened by the tube.
-struct Sweep<'a> {
-    tree: Tree,
-    shape: &'a Shape,
-    tube: f64,
+pub(crate) struct Sweep<'a> {
+    pub(crate) tree: &'a Tree,
+    /// The pieces of the path, in the tree's order.
+    pub(crate) parts: &'a [Part],
+    pub(crate) shape: &'a Shape,
+    pub(crate) tube: f64,
+    /// Whether the profile keeps its direction.
+    pub(crate) fixed: bool,
 }
 
 impl Sweep<'_> {
+    /// Whether what is swept may come so near to a point.
+    fn comes_within(&self, p: Point, distance: f64) -> bool {
+        let mut near = false;
+        self.tree.near_by_id(&Segment::line(p, p), self.shape.reach + distance, |k, _| {
+            let seen = self.parts[k as usize].seen(p);
+            let touches = |edge: &Segment| crate::distance::between(edge, &seen) <= distance;
+            near = near || self.shape.depth_along(&seen) >= 0.0 || self.shape.segments.iter().any(touches);
+            !near
+        });
+        near
+    }
+
     /// Whether one place of the path covers all within `around` of a point.
     fn holds(&self, p: Point, around: f64) -> bool {
         let needed = around - self.tube;
@@ -62,12 +114,12 @@ impl Sweep<'_> {
         }
         // With the deepest point of the profile as near as can be.
         let middle = p - self.shape.deepest.to_vec();
-        if self.tree.any_within(middle, self.shape.depth_within - needed) {
+        if self.fixed && self.tree.any_within(middle, self.shape.depth_within - needed) {
             return true;
         }
         let mut held = false;
-        self.tree.near(&Segment::line(p, p), self.shape.reach, |curve| {
-            held = held || self.shape.depth_along(&reflected(curve, p)) >= needed;
+        self.tree.near_by_id(&Segment::line(p, p), self.shape.reach, |k, _| {
+            held = held || self.shape.depth_along(&self.parts[k as usize].seen(p)) >= needed;
             !held
         });
         held

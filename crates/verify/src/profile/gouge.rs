@@ -1,9 +1,7 @@
 //! Does the profile enter a wall?
 
-use super::shape::{Shape, reflected};
-use super::sum;
-use crate::gcode::Motion;
-use crate::gouge::Below;
+use super::pose::Part;
+use super::shape::Shape;
 use crate::options::Budget;
 use crate::report::Gouge;
 use crate::tree::Tree;
@@ -14,7 +12,7 @@ use rayon::prelude::*;
 /// Bounds of the depth are tried from this part of the tolerance on, each twice the one before.
 const FIRST_SHARE: f64 = 0.125;
 
-/// Points of a curve at which a gouge is measured.
+/// Points of a piece at which a gouge is measured.
 const SAMPLES: u32 = 32;
 
 /// What is said about the walls.
@@ -25,8 +23,8 @@ pub(crate) struct Judged {
     pub(crate) outside: Option<(f64, u32)>,
 }
 
-/// Bounds how deep walls come into the profile along the curves below the stock's top.
-pub(crate) fn judge(walls: &Walls, below: &Below, shape: &Shape, budget: &Budget) -> Judged {
+/// Bounds how deep walls come into the profile along the pieces of path below the stock's top.
+pub(crate) fn judge(walls: &Walls, below: &[Part], shape: &Shape, budget: &Budget) -> Judged {
     let islands = one_point_each(walls);
     let mut suspects: Vec<usize> = (0..below.len()).collect();
     let mut bound = FIRST_SHARE * budget.gouge;
@@ -34,7 +32,7 @@ pub(crate) fn judge(walls: &Walls, below: &Below, shape: &Shape, budget: &Budget
     loop {
         let sweeper =
             Sweeper { walls, islands: &islands, shape, smaller: Smaller::new(shape, bound), rounding: budget.rounding };
-        suspects = suspects.into_par_iter().filter(|&k| sweeper.is_entered(below[k].0, &below[k].1)).collect();
+        suspects = suspects.into_par_iter().filter(|&k| sweeper.is_entered(&below[k])).collect();
         let Some(&first) = suspects.first() else { break };
         last = Some((first, bound));
         if bound >= budget.gouge {
@@ -45,8 +43,8 @@ pub(crate) fn judge(walls: &Walls, below: &Below, shape: &Shape, budget: &Budget
     let outside = suspects.is_empty().then_some(()).and_then(|()| leaves(walls, below, shape));
     // Even where no wall comes near, no more is shown than that.
     let gouge = last.or((!below.is_empty()).then_some((0, bound))).map(|(first, _)| {
-        let (at, depth) = measured(walls, shape, &below[first].1);
-        let line = below[first].0.line;
+        let (at, depth) = measured(walls, shape, &below[first]);
+        let line = below[first].line;
         // What is not shown to stay within the tolerance counts as beyond it.
         if suspects.is_empty() {
             Gouge { depth: bound, at, line }
@@ -80,28 +78,24 @@ struct Sweeper<'a> {
 }
 
 impl Sweeper<'_> {
-    /// Whether a wall may come into the sweep of the smaller profile along a curve: it crosses the sweep's outline, or lies
+    /// Whether a wall may come into the sweep of the smaller profile along a piece: it crosses the sweep's outline, or lies
     /// within it as a whole.
-    fn is_entered(&self, motion: &Motion, curve: &Segment) -> bool {
-        let margin = motion.slack + self.rounding;
-        if self.walls.tree.nearest_to_curve(curve, self.shape.reach + margin).is_none() {
+    fn is_entered(&self, part: &Part) -> bool {
+        let margin = part.slack + self.rounding;
+        if self.walls.tree.nearest_to_curve(&part.curve, self.shape.reach + margin).is_none() {
             return false;
         }
         let mut outline = Vec::new();
         for edge in &self.smaller.segments {
             outline.clear();
-            outline.extend([edge.translated(curve.start().to_vec())]);
-            if curve.start() != curve.end() {
-                outline.extend([edge.translated(curve.end().to_vec()), curve.translated(edge.start().to_vec())]);
-                sum::envelopes(curve, edge, &mut outline);
-            }
+            part.outline(edge, &mut outline);
             if outline.iter().any(|c| self.walls.tree.nearest_to_curve(c, margin).is_some()) {
                 return true;
             }
         }
         let mut within = false;
-        self.islands.near(curve, self.shape.reach, |island| {
-            within = within || self.smaller.shape.depth_along(&reflected(curve, island.start())) >= 0.0;
+        self.islands.near(&part.curve, self.shape.reach, |island| {
+            within = within || self.smaller.shape.depth_along(&part.seen(island.start())) >= 0.0;
             !within
         });
         within
@@ -120,25 +114,24 @@ fn one_point_each(walls: &Walls) -> Tree {
     Tree::new(&points)
 }
 
-/// No sweep touches a wall: so the tool is inside with one point as with all, as long as the path does not break off.
-fn leaves(walls: &Walls, below: &Below, shape: &Shape) -> Option<(f64, u32)> {
-    let breaks = |k: usize| k == 0 || below[k].1.start() != below[k - 1].1.end();
-    let point = |p: Point| p + shape.deepest.to_vec();
-    let out: Vec<usize> =
-        (0..below.len()).filter(|&k| breaks(k) && !walls.contain(point(below[k].1.start()))).collect();
-    out.first().map(|&k| (out.iter().map(|&k| below[k].1.length()).sum(), below[k].0.line))
+/// No sweep touches a wall: so the tool is inside with one point as with all.
+fn leaves(walls: &Walls, below: &[Part], shape: &Shape) -> Option<(f64, u32)> {
+    let point = |part: &Part| part.curve.start() + shape.deepest.to_vec().rotated(part.angle);
+    let out: Vec<&Part> = below.iter().filter(|part| !walls.contain(point(part))).collect();
+    out.first().map(|first| (out.iter().map(|part| part.curve.length()).sum(), first.line))
 }
 
-/// The deepest entry at some points of a curve.
-fn measured(walls: &Walls, shape: &Shape, curve: &Segment) -> (Point, f64) {
-    let at = |k: u32| curve.at(f64::from(k) / f64::from(SAMPLES));
-    let depth = |p: Point| {
+/// The deepest entry at some places of a piece.
+fn measured(walls: &Walls, shape: &Shape, part: &Part) -> (Point, f64) {
+    let depth = |k: u32| {
+        let share = f64::from(k) / f64::from(SAMPLES);
+        let (p, angle) = (part.curve.at(share), part.angle_at(share));
         let mut deepest = 0.0_f64;
         walls.tree.near(&Segment::line(p, p), shape.reach, |wall| {
-            deepest = deepest.max(shape.depth_along(&wall.translated(-p.to_vec())));
+            deepest = deepest.max(shape.depth_along(&wall.translated(-p.to_vec()).rotated(-angle)));
             true
         });
-        deepest
+        (p, deepest)
     };
-    (0..=SAMPLES).map(|k| (at(k), depth(at(k)))).fold((curve.start(), 0.0), |a, b| if b.1 > a.1 { b } else { a })
+    (0..=SAMPLES).map(depth).fold((part.curve.start(), 0.0), |a, b| if b.1 > a.1 { b } else { a })
 }

@@ -26,14 +26,14 @@ impl<'a> Places<'a> {
         Self { walls, shape, distance }
     }
 
-    /// Distance of the profile at a place to the walls; negative where it is not within the region, and then a bound from below of
+    /// Distance of the profile at a place, turned by an angle, to the walls; negative where it is not within the region, and then a bound from below of
     /// how far it must move to be. Looks no farther than `limit`, which is the answer where there is no wall.
-    fn clearance(&self, at: Point, limit: f64) -> f64 {
+    fn clearance(&self, at: Point, angle: f64, limit: f64) -> f64 {
         let mut apart = limit;
         let mut entered = 0.0_f64;
         let reached = self.shape.bbox;
         self.walls.tree.near(&Segment::line(at, at), self.shape.reach + limit, |wall| {
-            let wall = wall.translated(-at.to_vec());
+            let wall = wall.translated(-at.to_vec()).rotated(-angle);
             if wall.bbox().intersects(reached.inflated(apart)) {
                 let nearest = self.shape.segments.iter().map(|s| distance::between(s, &wall)).fold(apart, f64::min);
                 apart = nearest;
@@ -41,7 +41,7 @@ impl<'a> Places<'a> {
             }
             true
         });
-        let inside = || self.walls.contain(at + self.shape.segments[0].start().to_vec());
+        let inside = || self.walls.contain(at + self.shape.segments[0].start().to_vec().rotated(angle));
         match () {
             () if entered > 0.0 => -entered,
             () if apart > 0.0 && !inside() => -apart,
@@ -51,12 +51,19 @@ impl<'a> Places<'a> {
 
     /// Whether no place within `around` of a place is admissible.
     pub(crate) fn exclude(&self, at: Point, around: f64) -> bool {
-        self.clearance(at, around + self.distance) + around < self.distance
+        self.exclude_turned(at, 0.0, around, 1.0)
+    }
+
+    /// Whether at all places at which no point of the profile, turned by an angle, is farther than `around` from where it would be here,
+    /// it has less than this share of the distance to the walls.
+    pub(crate) fn exclude_turned(&self, at: Point, angle: f64, around: f64, share: f64) -> bool {
+        let distance = share * self.distance;
+        self.clearance(at, angle, around + distance) + around < distance
     }
 
     /// Whether all places within `around` of a place are admissible, and none is on the outline.
     fn include(&self, at: Point, around: f64) -> bool {
-        self.clearance(at, 2.0 * around + 2.0 * self.distance) - around > self.distance
+        self.clearance(at, 0.0, 2.0 * around + 2.0 * self.distance) - around > self.distance
     }
 
     /// A place of the outline of the admissible places that is not known to lie within `tube` of the path, if any.

@@ -32,6 +32,11 @@ impl Shape {
         shape
     }
 
+    /// How far it reaches on its −y side.
+    pub(crate) fn below(&self) -> f64 {
+        -self.bbox.min.y
+    }
+
     /// How deep a place relative to the reference point lies in the profile; negative outside.
     pub(crate) fn depth(&self, p: Point) -> f64 {
         let apart = self.segments.iter().map(|s| s.distance(p)).fold(f64::INFINITY, f64::min);

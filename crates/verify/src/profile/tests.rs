@@ -158,3 +158,124 @@ fn a_shrunk_outline_stays_within_the_depth() {
         }
     }
 }
+
+/// A program for an 8 x 3 rectangle that turns with the walls of a rectangle of half sides `x` and `y`, in rounds so far from them.
+fn rounds(x: f64, y: f64, distances: &[f64]) -> String {
+    let mut text = "G21 G90 G17 G61\nM3 S1000\nG0 Z5\n".to_owned();
+    let mut turns = 0.0;
+    for d in distances {
+        let (u, v) = (x - d, y - d);
+        let free = *d > 4.3;
+        // Where it cannot turn, it keeps half its length from the next wall.
+        let (a, b) = if free { (u, v) } else { (x - 4.0, y - 4.0) };
+        let sides = [[-a, -v, a, -v], [u, -b, u, b], [a, v, -a, v], [-u, b, -u, -b]];
+        for (k, [x0, y0, x1, y1]) in sides.into_iter().enumerate() {
+            let c = turns + 90.0 * k as f64;
+            if free && k > 0 {
+                let _ = writeln!(text, "G1 C{c}");
+            } else {
+                let _ = writeln!(text, "G0 Z5\nG0 X{x0} Y{y0} C{c}\nG1 Z-1 F100");
+            }
+            let _ = writeln!(text, "G1 X{x1} Y{y1}");
+        }
+        turns += 360.0;
+        text += "G0 Z5\n";
+    }
+    text + "M2\n"
+}
+
+fn turning(region: &Region, text: &str) -> Report {
+    verify_turning(region, text, &tool("rect:8x3"), &VerifyOptions::new(0.0)).unwrap()
+}
+
+const DISTANCES: [f64; 9] = [1.5, 2.8, 4.2, 4.4, 5.7, 7.0, 8.3, 9.6, 10.9];
+
+#[test]
+fn a_profile_that_turns_with_the_walls_is_proven() {
+    let pocket = region(vec![block(-20.0, -12.0, 20.0, 12.0)]);
+    let report = turning(&pocket, &rounds(20.0, 12.0, &DISTANCES));
+    assert!(report.is_proven(), "{:?} {:?}", report.complaints(), report.uncut_spots);
+    // A full turn more changes nothing; askew it gouges, and so it does where it turns too near a wall.
+    let text = rounds(20.0, 12.0, &DISTANCES);
+    assert!(turning(&pocket, &text.replace("C0\n", "C360\n")).is_proven());
+    let askew = turning(&pocket, &text.replace("C0\n", "C0.1\n"));
+    assert!(askew.gouge_depth() > askew.budget.gouge, "{:?}", askew.gouge);
+    let early = turning(&pocket, &rounds(20.0, 12.0, &[1.5, 2.8, 4.2, 4.301, 5.7, 7.0, 8.3, 9.6, 10.9]));
+    assert!(early.is_proven(), "{:?} {:?}", early.complaints(), early.uncut_spots);
+}
+
+#[test]
+fn turning_on_the_spot_too_near_a_wall_gouges() {
+    let pocket = region(vec![block(-20.0, -12.0, 20.0, 12.0)]);
+    let at = |y: f64| format!("G21 G90 G17 G61\nM3 S1000\nG0 Z5\nG0 X0 Y{y} C0\nG1 Z-1 F100\nG1 C180\nG0 Z5\nM2\n");
+    let reach = 4.0_f64.hypot(1.5);
+    let free = turning(&pocket, &at(reach - 12.0));
+    assert!(free.gouge_depth() <= free.budget.gouge, "{:?}", free.gouge);
+    let near = turning(&pocket, &at(reach - 12.01));
+    assert!(near.gouge_depth() > near.budget.gouge && near.gouge_depth() < 0.02, "{:?}", near.gouge);
+}
+
+#[test]
+fn along_an_arc_its_corners_reach_farther_out_than_its_middle() {
+    let (wall, tool_reach) = (20.0, (4.0_f64, 1.5_f64));
+    let round = region(vec![Contour::from_vertices(&[[-wall, 0.0, 1.0], [wall, 0.0, 1.0]])]);
+    let radius = (wall * wall - tool_reach.0 * tool_reach.0).sqrt() - tool_reach.1;
+    let around = |r: f64, c: f64| {
+        format!(
+            "G21 G90 G17 G61\nM3 S1000\nG0 Z5\nG0 X{r} Y0 C90\nG1 Z-1 F100\nG3 X-{r} Y0 I-{r} J0 C{}\nX{r} Y0 I{r} J0 C{}\nG0 Z5\nM2\n",
+            90.0 + c,
+            90.0 + 2.0 * c
+        )
+    };
+    let fits = turning(&round, &around(radius, 180.0));
+    assert!(fits.gouge_depth() <= fits.budget.gouge, "{:?}", fits.gouge);
+    let enters = turning(&round, &around(radius + 0.01, 180.0));
+    assert!(enters.gouge_depth() > enters.budget.gouge && enters.gouge_depth() < 0.03, "{:?}", enters.gouge);
+    // An axis that does not follow the arc sweeps more.
+    let stays = turning(&round, &around(radius, 0.0));
+    assert!(stays.gouge_depth() > 1.0, "{:?}", stays.gouge);
+    let runs_off = turning(&round, &around(radius, 150.0));
+    assert!(runs_off.gouge_depth() > runs_off.budget.gouge, "{:?}", runs_off.gouge);
+}
+
+#[test]
+fn what_a_turning_profile_leaves_is_found() {
+    let pocket = region(vec![block(-20.0, -12.0, 20.0, 12.0)]);
+    let no_wall = turning(&pocket, &rounds(20.0, 12.0, &DISTANCES[1..]));
+    assert!(!no_wall.covered && no_wall.gouge_depth() <= no_wall.budget.gouge, "{:?}", no_wall.complaints());
+    let no_middle = turning(&pocket, &rounds(20.0, 12.0, &DISTANCES[..6]));
+    assert!(!no_middle.covered);
+    let short = rounds(20.0, 12.0, &DISTANCES).replacen("X16 Y-10.5", "X15.9 Y-10.5", 1);
+    assert!(!turning(&pocket, &short).covered);
+}
+
+#[test]
+fn a_tool_that_keeps_its_direction_has_no_c() {
+    let pocket = region(vec![block(-20.0, -12.0, 20.0, 12.0)]);
+    let text = rounds(20.0, 12.0, &DISTANCES);
+    let error = verify_profile(&pocket, &text, &tool("rect:8x3"), &VerifyOptions::new(0.0)).unwrap_err();
+    assert!(matches!(error, ProgramError::Turns { line: 9 }), "{error}");
+    let unset = text.replace(" C0\n", "\n");
+    let error = verify_turning(&pocket, &unset, &tool("rect:8x3"), &VerifyOptions::new(0.0)).unwrap_err();
+    assert!(matches!(error, ProgramError::UnknownStart { .. }), "{error}");
+}
+
+#[test]
+fn what_is_out_of_reach_is_measured() {
+    let pocket = region(vec![block(-10.0, -6.0, 10.0, 6.0)]);
+    let exact = judge(&pocket, &tool("rect:12x4"), &[square(4.0)]);
+    assert!(exact.unreachable_area < 0.1 && exact.area_error < 8.0, "{exact:?}");
+    let round = judge(
+        &pocket,
+        &tool("circle:4"),
+        &[
+            vec![(-8.0, -4.0), (8.0, -4.0), (8.0, 4.0), (-8.0, 4.0)],
+            vec![(-6.0, 2.0), (6.0, 2.0), (6.0, -2.0), (-6.0, -2.0)],
+            vec![(-4.0, 0.0), (4.0, 0.0)],
+        ],
+    );
+    assert!(round.is_proven(), "{:?} {:?}", round.complaints(), round.uncut_spots);
+    let corners = (4.0 - std::f64::consts::PI) * 4.0;
+    assert!((round.unreachable_area - corners).abs() < 0.1, "{}", round.unreachable_area);
+    assert!(round.area_error < 8.0, "{}", round.area_error);
+}
