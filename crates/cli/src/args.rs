@@ -224,8 +224,8 @@ pub(crate) struct PocketArgs {
     #[arg(short, long, value_name = "MM|auto")]
     pub(crate) tool: Option<ToolArg>,
     /// Cross-section of a tool that is not round, mm: rect:WxH, rounded:WxHrR, stadium:LxW, ellipse:AxB,
-    /// polygon:SIDESxDIAMETER (across corners), circle:D, file:DRAWING (drawn about X0 Y0); or cone:ANGLE, ball:D at --depth.
-    /// @DEGREES at the end turns it.
+    /// polygon:SIDESxDIAMETER (across corners), circle:D, file:DRAWING (drawn about X0 Y0, in SVG the page's lower left corner);
+    /// or cone:ANGLE, ball:D at --depth. @DEGREES at the end turns it.
     #[arg(long, value_name = "SHAPE", conflicts_with = "tool")]
     pub(crate) tool_profile: Option<ProfileArg>,
     /// The tool of --tool-profile turns with the walls: its x axis along the nearest one, which lies on its -y side. The program

@@ -103,7 +103,7 @@ fn a_tool_is_drawn_in_svg_or_dxf_too() {
     folder.write("pocket.json", POCKET);
     folder.write(
         "tool.svg",
-        r#"<svg xmlns="http://www.w3.org/2000/svg" width="10mm" height="10mm" viewBox="-5 -5 10 10"><path d="M-3-2H3V2H-3Z"/></svg>"#,
+        r#"<svg xmlns="http://www.w3.org/2000/svg" width="10mm" height="10mm" viewBox="0 0 10 10"><path d="M-3 8H3V12H-3Z"/></svg>"#,
     );
     let vertex = |x: f64, y: f64| format!("0\nVERTEX\n8\n0\n10\n{x}\n20\n{y}\n");
     let corners = [(-3.0, -2.0), (3.0, -2.0), (3.0, 2.0), (-3.0, 2.0)].map(|(x, y)| vertex(x, y)).concat();
