@@ -1,9 +1,12 @@
 //! Plans from the pair-wise engine's offsets, against those over the skeleton.
 
 use pocketry_cam::{Plan, PlanError, PocketJob, Uncut, plan, plan_pairwise};
+use pocketry_geom::distance::Boundary;
+use pocketry_geom::index::SegmentIndex;
 use pocketry_geom::repair::{self, RepairOptions};
 use pocketry_geom::skeleton::Skeleton;
-use pocketry_geom::{Contour, Region};
+use pocketry_geom::{Arc, Contour, Region, Segment, point};
+use pocketry_motion::Move;
 use pocketry_testkit::{corpus, shapes};
 
 fn region(loops: &[&[[f64; 3]]]) -> Region {
@@ -74,4 +77,110 @@ fn a_tool_too_large_is_told_what_fits() {
         Err(PlanError::DoesNotFit { largest, .. }) => assert!((largest - 30.0).abs() < 1e-3, "{largest}"),
         other => panic!("{other:?}"),
     }
+}
+
+/// The cutting moves as segments of the plane.
+fn paths(plan: &Plan) -> Vec<Segment> {
+    let pairs = plan.program.moves.windows(2).map(|w| (w[0].to().xy(), w[1]));
+    let cuts = pairs.filter(|(_, m)| !matches!(m, Move::Rapid { .. }));
+    let curve = |(start, m): (_, Move)| match m {
+        Move::Arc { to, center, ccw, .. } => {
+            Segment::Arc(Arc { start, end: to.xy(), center, radius: center.distance(start), ccw })
+        }
+        _ => Segment::line(start, m.to().xy()),
+    };
+    cuts.map(curve).filter(|s| s.start() != s.end()).collect()
+}
+
+/// Whether the tool leaves none of a fine raster of points that its axis may go to.
+fn leaves_nothing(region: &Region, plan: &Plan, radius: f64) -> bool {
+    const FINENESS: u32 = 500;
+    let (walls, paths, bbox) = (Boundary::new(region), SegmentIndex::new(&paths(plan)), region.bbox());
+    let share = |k: u32| f64::from(k) / f64::from(FINENESS);
+    (0..FINENESS * FINENESS).all(|k| {
+        let p =
+            point(bbox.min.x + share(k % FINENESS) * bbox.width(), bbox.min.y + share(k / FINENESS) * bbox.height());
+        let clearance = || walls.signed_distance(p);
+        paths.nearest_within(p, radius * (1.0 + 2e-4)).is_some() || clearance() < radius
+    })
+}
+
+fn assert_nothing_is_left(loops: &[&[[f64; 2]]], diameter: f64) {
+    let flat: Vec<Vec<[f64; 3]>> = loops.iter().map(|l| l.iter().map(|p| [p[0], p[1], 0.0]).collect()).collect();
+    let region = region(&flat.iter().map(Vec::as_slice).collect::<Vec<_>>());
+    for share in [0.75, 0.9, 0.98] {
+        let job = PocketJob { stepover: share * diameter, ..PocketJob::for_diameter(diameter) };
+        let plan = plan_pairwise(&region, &job).unwrap();
+        assert!(leaves_nothing(&region, &plan, 0.5 * diameter), "at {share}");
+    }
+}
+
+/// The ends of fibres, joined where they come close, made no path to all of this: spokes do.
+#[test]
+fn what_joined_fibres_miss_in_a_leaf_is_cut() {
+    let leaf = [
+        [17.9, 3.8],
+        [24.2, 6.3],
+        [23.0, 10.2],
+        [17.9, 17.9],
+        [14.7, 18.0],
+        [7.6, 12.6],
+        [-1.5, 20.4],
+        [-5.6, 21.7],
+        [-8.1, 4.1],
+        [-8.5, 3.4],
+        [-15.9, -20.6],
+        [15.9, -11.8],
+    ];
+    assert_nothing_is_left(&[&leaf], 4.6);
+}
+
+#[test]
+fn what_joined_fibres_miss_in_a_kite_and_a_boot_is_cut() {
+    let kite = [
+        [12.8, 5.1],
+        [22.3, 13.8],
+        [13.5, 17.1],
+        [-1.4, 16.5],
+        [-3.5, 21.5],
+        [-7.3, 11.2],
+        [-13.2, 3.9],
+        [-1.5, -27.2],
+        [3.7, -17.3],
+        [27.2, -5.6],
+    ];
+    assert_nothing_is_left(&[&kite], 2.4);
+    let boot = [
+        [10.5, 2.2],
+        [13.6, 11.9],
+        [3.3, 13.2],
+        [-6.7, 16.9],
+        [-15.0, 22.9],
+        [-7.6, 9.7],
+        [-12.3, 15.4],
+        [-18.0, 3.5],
+        [-17.1, -4.7],
+        [0.5, -9.5],
+        [14.1, -24.3],
+        [25.9, -9.6],
+    ];
+    assert_nothing_is_left(&[&boot], 2.4);
+}
+
+#[test]
+fn an_island_in_a_star_leaves_nothing() {
+    let star = [
+        [20.0, 4.8],
+        [21.9, 10.8],
+        [-2.2, 10.8],
+        [-19.0, 17.9],
+        [-19.1, -20.4],
+        [-6.9, -8.6],
+        [10.4, -17.5],
+        [8.2, -9.6],
+        [18.9, -21.8],
+        [11.6, -12.3],
+        [25.8, -0.9],
+    ];
+    assert_nothing_is_left(&[&star, &[[-0.6, -1.8], [-3.1, -3.1], [-3.5, 0.3]]], 2.4);
 }

@@ -2,7 +2,7 @@
 
 use super::forest::Forest;
 use super::prune::tours;
-use super::{Cleanup, Exit, Piece, Place, Way, trusted};
+use super::{Cleanup, Exit, Piece, Place, Uncut, Way, trusted};
 use crate::link::fitted;
 use crate::plan::order::Orderer;
 use crate::plan::track::Insertion;
@@ -23,6 +23,19 @@ pub(crate) struct Gathered {
     pub(super) cleanups: Vec<Cleanup>,
 }
 
+impl Gathered {
+    /// All detours.
+    pub(crate) fn tours(&self) -> impl Iterator<Item = &Segment> {
+        self.insertions.iter().flat_map(|(_, i)| &i.tour)
+    }
+
+    /// Adds a detour, which has segments, of a track.
+    pub(crate) fn add(&mut self, kind: Uncut, track: u32, insertion: Insertion) {
+        self.cleanups.push(Cleanup { kind, start: insertion.tour[0].start(), length: insertion.length() });
+        self.insertions.push((track, insertion));
+    }
+}
+
 /// The clean-up paths of pieces, each given with the level of the loops around it, for a tool of this radius.
 pub(crate) fn gather(pieces: &[(usize, Piece)], orderer: &Orderer<'_>, radius: f64) -> Gathered {
     let radius = trusted(radius);
@@ -35,9 +48,7 @@ pub(crate) fn gather(pieces: &[(usize, Piece)], orderer: &Orderer<'_>, radius: f
         };
         for (track, mut insertion) in found {
             insertion.tour = fitted(&insertion.tour, FIT_SHARE * degenerate_slack(radius));
-            let start = insertion.tour[0].start();
-            gathered.cleanups.push(Cleanup { kind: piece.kind(), start, length: insertion.length() });
-            gathered.insertions.push((track, insertion));
+            gathered.add(piece.kind(), track, insertion);
         }
     }
     gathered

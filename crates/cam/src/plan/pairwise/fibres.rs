@@ -8,6 +8,9 @@ use pocketry_geom::{Point, Segment, Vec2};
 /// Steps of the search for a disk: it converges like Newton's method, in three or four.
 const STEPS: usize = 64;
 
+/// By how much longer than the last one a fibre is taken to be, at first.
+const GUESS: f64 = 1.03125;
+
 /// The end of a fibre.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Fibre {
@@ -39,16 +42,29 @@ impl<'a> Fibres<'a> {
         Self { offsetter, walls: offsetter.boundary(), low, high }
     }
 
-    /// The fibre through a point of the offset at the lower clearance that belongs to a site.
-    pub(super) fn through(&self, at: Point, site: SiteId) -> Fibre {
+    /// The fibre through a point of the offset at the lower clearance that belongs to a site. It is found sooner with the
+    /// one before it on the offset.
+    pub(super) fn through(&self, at: Point, site: SiteId, before: Option<&Fibre>) -> Fibre {
         let normal = match self.offsetter.shape(site) {
             SiteShape::Line(l) => l.direction().left(),
             SiteShape::Point(p) => (at - p).normalized(),
             SiteShape::Arc(a) => (a.center - at).normalized(),
         };
         let foot = at - normal * self.low;
-        // The largest disk that touches the wall at the foot and has nothing in it, from above.
-        let (mut clearance, mut other) = (self.high, None);
+        let guess = before.map_or(self.high, |f| (GUESS * f.clearance).min(self.high));
+        let (mut clearance, mut other) = self.disk(foot, normal, guess);
+        if other.is_none() && guess < self.high {
+            (clearance, other) = self.disk(foot, normal, self.high);
+        }
+        let end = foot + normal * clearance;
+        let own = self.walls.index().nearest(foot).map(|n| n.0);
+        Fibre { site, foot, normal, end, clearance, first: other.is_none() || own <= other }
+    }
+
+    /// The radius of the largest disk, none larger than `most`, that touches the wall at the foot and has nothing in it, from
+    /// above; and the other wall that it touches.
+    fn disk(&self, foot: Point, normal: Vec2, most: f64) -> (f64, Option<usize>) {
+        let (mut clearance, mut other) = (most, None);
         for _ in 0..STEPS {
             let center = foot + normal * clearance;
             let bound = clearance - self.slack();
@@ -63,9 +79,7 @@ impl<'a> Fibres<'a> {
                 break;
             }
         }
-        let end = foot + normal * clearance;
-        let own = self.walls.index().nearest(foot).map(|n| n.0);
-        Fibre { site, foot, normal, end, clearance, first: other.is_none() || own <= other }
+        (clearance, other)
     }
 
     fn slack(&self) -> f64 {

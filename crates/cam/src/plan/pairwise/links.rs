@@ -16,10 +16,8 @@ const MERGED: f64 = 0.125;
 /// A clean-up curve with its fibres in order.
 pub(super) struct Curve {
     pub(super) fibres: Vec<Fibre>,
-    /// The degenerate vertices where it starts and ends.
-    pub(super) roots: [Option<Point>; 2],
-    /// Whether the last fibre is followed by the first.
-    pub(super) closed: bool,
+    /// The degenerate vertices where it starts and ends; none where the last fibre is followed by the first.
+    pub(super) roots: Option<[Point; 2]>,
 }
 
 /// How far a place is, and which it is.
@@ -40,26 +38,16 @@ pub(super) struct Builder {
     chains: Vec<u32>,
     /// Places where chains end.
     ends: Vec<u32>,
-    /// Degenerate vertices that curves start from or end at.
-    wanted: HashSet<(u64, u64)>,
+    /// Degenerate vertices with their places.
     roots: Vec<(u32, Point)>,
+    known: HashSet<(u64, u64)>,
 }
 
 impl Builder {
     pub(super) fn new(low: f64, allowance: f64, radius: f64) -> Self {
         let (places, fibres, ways, chains, ends) = (Vec::new(), Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        Self {
-            low,
-            allowance,
-            gap: radius,
-            places,
-            fibres,
-            ways,
-            chains,
-            ends,
-            wanted: HashSet::new(),
-            roots: Vec::new(),
-        }
+        let (roots, known) = (Vec::new(), HashSet::new());
+        Self { low, allowance, gap: radius, places, fibres, ways, chains, ends, roots, known }
     }
 
     /// Adds a place to the chain that `before` belongs to, or to a new one.
@@ -77,9 +65,9 @@ impl Builder {
         self.ways.push(Way { ends: [a, b], segment: Segment::line(from, to) });
     }
 
-    /// The chains of those fibres of a curve that count.
-    pub(super) fn add(&mut self, curve: &Curve) {
-        self.wanted.extend(curve.roots.iter().flatten().map(|&p| bits(p)));
+    /// The chains of those fibres of a curve that count, and its degenerate vertices, of clearance `high`.
+    pub(super) fn add(&mut self, curve: &Curve, high: f64) {
+        curve.roots.into_iter().flatten().for_each(|at| self.add_root(at, high));
         let mut chain: Option<u32> = None;
         let begun = self.places.len() as u32;
         for fibre in &curve.fibres {
@@ -103,15 +91,14 @@ impl Builder {
             }
         }
         self.ends.extend(chain);
-        let ring = curve.closed && curve.fibres.iter().all(|f| f.first);
+        let ring = curve.roots.is_none() && curve.fibres.iter().all(|f| f.first);
         if let Some(last) = chain.filter(|&last| ring && last > begun + 1) {
             self.join(last, begun);
         }
     }
 
-    /// A degenerate vertex, which counts if a curve starts or ends there.
-    pub(super) fn add_root(&mut self, at: Point, clearance: f64) {
-        if self.wanted.remove(&bits(at)) {
+    fn add_root(&mut self, at: Point, clearance: f64) {
+        if self.known.insert(bits(at)) {
             let place = self.add_place(at, clearance, None, None);
             self.roots.push((place, at));
             self.ends.push(place);
@@ -173,17 +160,19 @@ impl Builder {
     /// Joins parts to the nearest others within the gap. An end of a part that has a root is done with when the nearest
     /// place of another chain is of the same part: what is near it belongs to other roots.
     fn link(&mut self, sets: &mut DisjointSets) -> bool {
+        let open: Vec<u32> = (0..self.places.len() as u32).filter(|&k| !self.is_tip(k)).collect();
+        let grid = Grid::new(self.gap, open.iter().map(|&k| (k, self.places[k as usize].at)));
         let rooted: HashSet<u32> = self.roots.iter().map(|r| sets.find(r.0)).collect();
         let mut found: Vec<(f64, u32, u32)> = Vec::new();
         for &end in self.ends.iter().filter(|&&k| !self.is_tip(k)) {
             let (own, at) = (sets.find(end), self.places[end as usize].at);
             let chain = self.chains[end as usize];
             let (mut other_part, mut other_chain) = (Nearest::None, Nearest::None);
-            for (k, place) in (0..).zip(&self.places) {
-                let far = place.at.distance(at);
+            grid.visit(at, |k| {
+                let far = self.places[k as usize].at.distance(at);
                 let is_nearer = |best: Nearest| far <= best.map_or(self.gap, |b| b.0);
-                if self.chains[k as usize] == chain || self.is_tip(k) || !is_nearer(other_part) {
-                    continue;
+                if self.chains[k as usize] == chain || !is_nearer(other_part) {
+                    return;
                 }
                 if is_nearer(other_chain) {
                     other_chain = Some((far, k));
@@ -191,7 +180,7 @@ impl Builder {
                 if sets.find(k) != own {
                     other_part = Some((far, k));
                 }
-            }
+            });
             let is_done = rooted.contains(&own) && other_chain.is_some_and(|(_, k)| sets.find(k) == own);
             found.extend(other_part.filter(|_| !is_done).map(|(far, k)| (far, end, k)));
         }
@@ -205,5 +194,33 @@ impl Builder {
             }
         }
         joined
+    }
+}
+
+/// Places in square cells.
+struct Grid {
+    size: f64,
+    cells: HashMap<(i64, i64), Vec<u32>>,
+}
+
+impl Grid {
+    fn new(size: f64, places: impl Iterator<Item = (u32, Point)>) -> Self {
+        let mut grid = Self { size, cells: HashMap::new() };
+        for (k, at) in places {
+            grid.cells.entry(grid.cell(at)).or_default().push(k);
+        }
+        grid
+    }
+
+    fn cell(&self, p: Point) -> (i64, i64) {
+        ((p.x / self.size).floor() as i64, (p.y / self.size).floor() as i64)
+    }
+
+    /// Calls `found` for all places within a cell's size of a point, and some more.
+    fn visit(&self, p: Point, mut found: impl FnMut(u32)) {
+        let (x, y) = self.cell(p);
+        for cell in (-1..=1).flat_map(|i| (-1..=1).map(move |j| (x + i, y + j))) {
+            self.cells.get(&cell).into_iter().flatten().for_each(|&k| found(k));
+        }
     }
 }

@@ -4,7 +4,7 @@
 //! 1. Arcs of the region become chords on the pocket's side ([`PairwiseEngine::straightened`]).
 //! 2. Loops at `r + q`, `r + q + w`, … until none is left; which lies in which, the loops themselves say (`nesting`).
 //! 3. What stays uncut is found in the interfering ranges of the offsets (`ranges`); the paths to it are made as for the
-//!    exact engine ([`super::cleanup`]).
+//!    exact engine ([`super::cleanup`]), and what they leave is cut by detours straight away from walls (`cover`).
 //! 4. Order, side-steps and moves are those of tool path I ([`super::order`]). Between the loops of one area the tool takes
 //!    a straight way that is clear of the walls, or lifts (`across`). It ramps in along its first loop.
 //!
@@ -12,6 +12,8 @@
 //! channels just as wide as it need no paths of their own.
 
 mod across;
+mod cover;
+mod curves;
 mod fibres;
 mod links;
 mod nesting;
@@ -26,6 +28,15 @@ use pocketry_geom::offset::{OffsetError, PairwiseEngine, PairwiseOffset, Pairwis
 
 /// Halvings of the search for the largest tool that fits.
 const HALVINGS: usize = 40;
+
+/// How often an offset that contradicts itself is tried at another distance.
+const SHIFTS: u32 = 8;
+
+/// The least shift of a distance, as a share of the slack.
+const SHIFT: f64 = 1.0 / 16.0;
+
+/// The same for the first distance: all of them stay within half of the slack.
+const FIRST_SHIFT: f64 = 1.0 / 256.0;
 
 /// Plans a job in a region from the pair-wise engine's offsets ([`Strategy::Contour`]).
 ///
@@ -56,8 +67,9 @@ pub fn plan_pairwise(region: &Region, job: &PocketJob) -> Result<Plan, PlanError
     let mut cleanups = Vec::new();
     if job.cleanup && stepover > radius {
         let orderer = Orderer::new(&ways, &levels);
-        let pieces = ranges::pieces(&offsetter, &offsets, &levels, stepover, radius)?;
-        let gathered = cleanup::gather(&pieces, &orderer, radius);
+        let found = ranges::ranges(&offsetter, &offsets, &levels, stepover, radius)?;
+        let mut gathered = cleanup::gather(&found.pieces, &orderer, radius);
+        cover::complete(&mut gathered, &found.grounds, &offsetter, &orderer, radius);
         cleanups = cleanup::add(&mut levels, gathered, radius);
     }
     let chains = Orderer::new(&ways, &levels).chains();
@@ -66,16 +78,35 @@ pub fn plan_pairwise(region: &Region, job: &PocketJob) -> Result<Plan, PlanError
     Ok(Plan { strategy: Strategy::Contour, warnings, stepover, cleanups, ..plan })
 }
 
-/// The offsets at the first distance and in steps of the stepover, as long as there are loops.
+/// The offsets at the first distance and in steps of the stepover, as long as there are loops. Where an offset contradicts
+/// itself, the first one keeps a little more of the slack below the tool's radius, and the others lie a little nearer together.
 fn offsets(offsetter: &PairwiseOffsetter<'_>, first: f64, stepover: f64) -> Result<Vec<PairwiseOffset>, OffsetError> {
-    let mut offsets = Vec::new();
+    let slack = degenerate_slack(first);
+    let mut offsets: Vec<PairwiseOffset> = Vec::new();
     loop {
-        let offset = offsetter.offset(first + offsets.len() as f64 * stepover)?;
+        let offset = match offsets.last() {
+            None => offset_near(offsetter, first, slack * FIRST_SHIFT)?,
+            Some(last) => offset_near(offsetter, last.offset.distance + stepover, -slack * SHIFT)?,
+        };
         if offset.offset.loops.is_empty() {
             return Ok(offsets);
         }
         offsets.push(offset);
     }
+}
+
+/// The offset at a distance or, where it contradicts itself, at the nearest one in shifts that double.
+fn offset_near(offsetter: &PairwiseOffsetter<'_>, distance: f64, shift: f64) -> Result<PairwiseOffset, OffsetError> {
+    let mut found = offsetter.offset(distance);
+    let mut by = shift;
+    for _ in 0..SHIFTS {
+        if found.is_ok() {
+            break;
+        }
+        found = offsetter.offset(distance + by);
+        by *= 2.0;
+    }
+    found
 }
 
 /// The largest clearance, which is below `most`.

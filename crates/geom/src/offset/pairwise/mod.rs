@@ -143,6 +143,11 @@ impl<'a> PairwiseOffsetter<'a> {
         if e.is_vertex() { SiteShape::Point(e.start) } else { SiteShape::Line(Line::new(e.start, e.end)) }
     }
 
+    /// The larger extent of the region, mm.
+    pub fn size(&self) -> f64 {
+        self.size
+    }
+
     /// The region's boundary.
     pub fn boundary(&self) -> &Boundary {
         self.walls.boundary()
