@@ -165,15 +165,23 @@ pub mod pairwise {
     /// rounding of distances, so that a point that two offsets share is not taken for one.
     pub const WITHIN: f64 = 1e-12;
 
-    /// Raw curves farther from the boundary than the distance less this are on the offset, *relative*: below what an
-    /// offset may be off, above the rounding of crossings.
-    pub const CLEARANCE: f64 = 2e-8;
+    /// Raw curves farther from the boundary than the distance less this are on the offset, *relative*: ten thousand times the
+    /// rounding of a point in the middle of a piece, and next to nothing of what raw curves dip below the offset between crossings,
+    /// where they are nearly parallel.
+    pub const CLEARANCE: f64 = 1e-11;
+
+    /// So many times the length of edges that were left out is added to it.
+    pub const STRAYED: f64 = 16.0;
+
+    /// Runs between crossings no longer than this are not asked for their clearance, *relative*: below what an offset may
+    /// be off, above the rounding of crossings.
+    pub const SHORTEST_RUN: f64 = 2e-8;
 
     /// Step by which the distance grows where raw curves contradict themselves, *relative*: above the rounding that
     /// makes them, and with all attempts still far below what an offset may be off.
     pub const PERTURBATION: f64 = 1e-9;
 
-    /// Edges no longer are left out, *relative*: a twentieth of [`CLEARANCE`], so that their ends are judged alike.
+    /// Edges no longer are left out, *relative*: a twentieth of [`SHORTEST_RUN`], so that their ends are judged alike.
     pub const WELD: f64 = 1e-9;
 
     /// How often it may grow.

@@ -72,12 +72,12 @@ impl Element {
 }
 
 /// Adds the elements of a contour of lines, from which edges no longer than `weld` (mm) are left out: neither their directions nor
-/// those of their parallels mean anything.
-pub(super) fn add_contour(contour: &Contour, weld: f64, elements: &mut Vec<Element>) {
-    let points = welded(contour, weld);
+/// those of their parallels mean anything. Says how far its vertices are from those that are left.
+pub(super) fn add_contour(contour: &Contour, weld: f64, elements: &mut Vec<Element>) -> f64 {
+    let (points, strayed) = welded(contour, weld);
     let ends = (0..points.len()).map(|k| (points[k], points[(k + 1) % points.len()]));
     let mut lines = ends.map(|(a, b)| (a, b, (b - a).normalized().left())).peekable();
-    let Some(&(_, _, first)) = lines.peek() else { return };
+    let Some(&(_, _, first)) = lines.peek() else { return strayed };
     let mut push = |start, end, n0, n1, joint| {
         let number = elements.len() as u32;
         elements.push(Element { start, end, n0, n1, number, joint });
@@ -94,18 +94,23 @@ pub(super) fn add_contour(contour: &Contour, weld: f64, elements: &mut Vec<Eleme
             push(end, end, n, after, Joint::Reflex);
         }
     }
+    strayed
 }
 
-/// The contour's vertices, of those nearer than `weld` to one another in a row the first; none where no area is left.
-fn welded(contour: &Contour, weld: f64) -> Vec<Point> {
+/// The contour's vertices, of those nearer than `weld` to one another in a row the first (none where no area is left), and how far
+/// the others are from them.
+fn welded(contour: &Contour, weld: f64) -> (Vec<Point>, f64) {
     let mut points: Vec<Point> = Vec::with_capacity(contour.segments.len());
+    let mut strayed = 0.0_f64;
     for p in contour.segments.iter().map(Segment::start) {
-        if points.last().is_none_or(|last| last.distance(p) > weld) {
-            points.push(p);
+        match points.last().map(|last| last.distance(p)).filter(|&far| far <= weld) {
+            Some(far) => strayed = strayed.max(far),
+            None => points.push(p),
         }
     }
     while points.len() > 1 && points[0].distance(points[points.len() - 1]) <= weld {
+        strayed = strayed.max(points[0].distance(points[points.len() - 1]));
         points.pop();
     }
-    if points.len() > 2 { points } else { Vec::new() }
+    (if points.len() > 2 { points } else { Vec::new() }, strayed)
 }

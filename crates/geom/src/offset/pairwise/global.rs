@@ -14,7 +14,7 @@ use crate::point::Point;
 use crate::segment::Segment;
 use crate::skeleton::NONE;
 use crate::tolerance::OFFSET_DROP;
-use crate::tolerance::pairwise::CLEARANCE;
+use crate::tolerance::pairwise::{CLEARANCE, SHORTEST_RUN, STRAYED};
 use std::iter::Chain;
 use std::ops::Range;
 
@@ -40,7 +40,9 @@ pub(super) fn loops(
 ) -> Result<PairwiseOffset, String> {
     let crossings = crossings(curves);
     let events = events(curves, &crossings);
-    let judge = Judge { curves, crossings: &crossings, events: &events, d, source, tolerance: CLEARANCE * source.size };
+    let [shortest, tolerance] = [SHORTEST_RUN, CLEARANCE].map(|share| share * source.size);
+    let tolerance = tolerance + STRAYED * source.strayed;
+    let judge = Judge { curves, crossings: &crossings, events: &events, d, source, shortest, tolerance };
     let runs = judge.runs();
     let drop = OFFSET_DROP * source.size;
     let whole = runs.whole.iter().map(|pieces| {
@@ -72,6 +74,9 @@ struct Judge<'a> {
     events: &'a [Event],
     d: f64,
     source: &'a PairwiseOffsetter<'a>,
+    /// Runs no longer are not asked about, mm.
+    shortest: f64,
+    /// By how much less than the distance the clearance of an offset may be, mm.
     tolerance: f64,
 }
 
@@ -118,7 +123,7 @@ impl Judge<'_> {
         }
         let length = |s: &Segment| s.start().distance_squared(s.end());
         let longest = self.run(from, to).map(|r| r.0).max_by(|a, b| length(a).total_cmp(&length(b)))?;
-        if length(&longest) <= self.tolerance * self.tolerance { None } else { self.is_valid(longest.at(0.5)) }
+        if length(&longest) <= self.shortest * self.shortest { None } else { self.is_valid(longest.at(0.5)) }
     }
 
     /// Runs that are too short to be asked about follow from the one that leads to their crossing.

@@ -122,6 +122,8 @@ pub struct PairwiseOffsetter<'a> {
     bounds: Vec<u32>,
     walls: Walls<'a>,
     size: f64,
+    /// How far the boundary's vertices are from the elements', mm.
+    strayed: f64,
 }
 
 impl<'a> PairwiseOffsetter<'a> {
@@ -130,11 +132,12 @@ impl<'a> PairwiseOffsetter<'a> {
         let mut elements = Vec::with_capacity(region.edge_count() + region.edge_count() / 2);
         let mut bounds = vec![0];
         let size = region.bbox().size();
+        let mut strayed = 0.0_f64;
         for contour in region.contours() {
-            element::add_contour(contour, WELD * size, &mut elements);
+            strayed = strayed.max(element::add_contour(contour, WELD * size, &mut elements));
             bounds.push(elements.len() as u32);
         }
-        Self { elements, bounds, walls: Walls::new(region), size }
+        Self { elements, bounds, walls: Walls::new(region), size, strayed }
     }
 
     /// What a site of its offsets is: a line or a reflex vertex.

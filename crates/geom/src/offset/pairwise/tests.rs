@@ -136,3 +136,32 @@ fn corners_drawn_twice_a_nanometre_apart_lose_no_loop() {
         assert!(one > 1.0 && (one - two).abs() < 1e-6, "at {d}: {two} instead of {one}");
     }
 }
+
+/// Chords of two arcs that are all but twice the distance apart cross at next to no angle: between crossings raw curves dip
+/// below the offset by nanometres.
+#[test]
+fn bends_nearly_twice_as_wide_as_the_distance_do_not_contradict_themselves() {
+    let serpentine = vec![
+        [30.071_606_753, 141.721_746_762, -0.944_368_366_702],
+        [29.502_587_969, 131.784_735_276, 0.0],
+        [29.583_530_298, 101.723_374_923, -0.991_912_437_482],
+        [29.502_587_969, 91.754_432_895, 0.0],
+        [-0.165_086_655, 91.744_333_289, 0.906_347_169_019],
+        [-0.165_086_655, 88.392_027_425, 0.0],
+        [29.583_530_298, 61.693_072_542, -0.991_912_437_482],
+        [29.502_587_969, 38.380_696_387, 0.0],
+        [-1.051_615_276, 85.196_250_042, -0.898_978_771_72],
+        [0.0, 95.053_644_882, 0.0],
+        [29.667_674_623, 95.063_744_489, 0.906_347_169_019],
+        [29.667_674_623, 98.416_050_352, 0.0],
+        [-0.080_942_33, 125.115_005_235, -0.991_912_437_482],
+    ];
+    let region = region(&[serpentine]);
+    let found = PairwiseEngine.with_ranges(&region, &[0.105, 1.650_579]).unwrap();
+    let walls = Boundary::new(&region);
+    let segments = found[1].offset.loops.iter().flat_map(|l| &l.contour.segments);
+    assert!(segments.clone().count() > 0);
+    for s in segments {
+        assert!((walls.signed_distance(s.at(0.5)) - 1.650_579).abs() < 1e-5, "{s:?}");
+    }
+}
