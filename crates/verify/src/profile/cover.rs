@@ -12,13 +12,15 @@ const FINEST: f64 = 0.1;
 
 /// Cells that are not swept as a whole are divided until their half diagonal is below this share of the radius of the profile's largest
 /// circle, for the area's sake.
-const COARSEST: f64 = 0.03;
+const COARSEST: f64 = 0.1;
 
 /// A square cell.
 #[derive(Clone, Copy)]
 struct Cell {
     center: Point,
     half: f64,
+    /// Known not to be asked for: only its area counts.
+    missing: bool,
 }
 
 /// What is out of reach; or a point that may be left uncut though every place that covers it is admissible.
@@ -38,8 +40,25 @@ pub(crate) fn uncovered_free(walls: &Walls, sweep: &Sweep, bbox: BBox) -> Option
 pub(crate) struct Beyond {
     /// mm².
     pub(crate) area: f64,
-    /// By how much that may be wrong: the cells on the edge of what is swept and on walls, mm².
+    /// By how much that may be wrong, estimated: the cells on walls and on the edge of what is swept, mm².
     pub(crate) error: f64,
+}
+
+impl Beyond {
+    /// Adds a small cell as its middle is: all that must be swept is known to be, and so what is not is out of reach.
+    fn add(&mut self, walls: &Walls, sweep: &Sweep, cell: Cell, on_wall: bool) {
+        let area = 4.0 * cell.half * cell.half;
+        let is_out = walls.contain(cell.center) && !sweep.comes_within(cell.center, 0.0);
+        if is_out {
+            self.area += area;
+        }
+        if on_wall {
+            self.error += area;
+        } else if is_out && sweep.comes_within(cell.center, cell.half * std::f64::consts::SQRT_2) {
+            // As many middles lie on the other side of the edge.
+            self.error += 2.0 * area;
+        }
+    }
 }
 
 /// What is `missing` among what must be swept; or a point of the region that is neither that nor known to be swept.
@@ -51,33 +70,26 @@ fn divided(walls: &Walls, sweep: &Sweep, bbox: BBox, missing: impl Fn(Point, f64
     for row in 0..rows as u32 {
         for column in 0..columns as u32 {
             let center = bbox.min + Vec2::new(f64::from(column) + 0.5, f64::from(row) + 0.5) * size;
-            cells.push(Cell { center, half: 0.5 * size });
+            cells.push(Cell { center, half: 0.5 * size, missing: false });
         }
     }
     while let Some(cell) = cells.pop() {
         let around = cell.half * std::f64::consts::SQRT_2;
         let on_wall = walls.tree.any_within(cell.center, around);
-        if !on_wall && !walls.contain(cell.center) || sweep.holds(cell.center, around) {
+        if !on_wall && !walls.contain(cell.center) || !cell.missing && sweep.holds(cell.center, around) {
             continue;
         }
-        let is_small = around < COARSEST * size;
-        if is_small && missing(cell.center, around) {
-            // All else that must be swept is known to be: what is not is out of reach.
-            let area = 4.0 * cell.half * cell.half;
-            if walls.contain(cell.center) && !sweep.comes_within(cell.center, 0.0) {
-                beyond.area += area;
-            }
-            if on_wall || sweep.comes_within(cell.center, around) {
-                beyond.error += area;
-            }
+        let missing = cell.missing || missing(cell.center, around);
+        if missing && around < COARSEST * size {
+            beyond.add(walls, sweep, cell, on_wall);
             continue;
         }
-        if around < FINEST * sweep.tube {
+        if !missing && around < FINEST * sweep.tube {
             return Err(cell.center);
         }
         let half = 0.5 * cell.half;
         let quarters = [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)];
-        cells.extend(quarters.map(|(i, j)| Cell { center: cell.center + Vec2::new(i, j) * half, half }));
+        cells.extend(quarters.map(|(i, j)| Cell { center: cell.center + Vec2::new(i, j) * half, half, missing }));
     }
     Ok(beyond)
 }
@@ -96,7 +108,10 @@ pub(crate) struct Sweep<'a> {
 impl Sweep<'_> {
     /// Whether what is swept may come so near to a point.
     fn comes_within(&self, p: Point, distance: f64) -> bool {
-        let mut near = false;
+        let mut near = self.fixed && self.tree.any_within(p - self.shape.deepest.to_vec(), self.shape.depth_within);
+        if near {
+            return true;
+        }
         self.tree.near_by_id(&Segment::line(p, p), self.shape.reach + distance, |k, _| {
             let seen = self.parts[k as usize].seen(p);
             let touches = |edge: &Segment| crate::distance::between(edge, &seen) <= distance;
