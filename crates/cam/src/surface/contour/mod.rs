@@ -6,8 +6,9 @@
 //!    cell's middle says how. Every crossing leaves one cell and enters another: the lines close by construction.
 //! 3. Crossings are settled on the surface itself, by bisection of the grid edge: the grid's heights are not interpolated,
 //!    since a CL-surface has cliffs. They end on the free side, strictly between the edge's nodes.
-//! 4. A chord whose middle lies off the line by more than the tolerance is split there, and so on: sharp corners
-//!    are found and arcs followed ([`refine`]). Every chord has a convex room of its own.
+//! 4. A chord whose middle lies off the line by more than the tolerance, or a quarter within taken ground, is split there, and so on:
+//!    sharp corners are found and arcs followed ([`refine`]). Every chord has a convex room of its own, which goes beyond its cell
+//!    where no other line needs the place.
 //! 5. Points that a line can do without are dropped ([`super::simplify`]); lines that would then cross keep all of theirs.
 //!
 //! Lines cross neither themselves nor each other, whatever the surface answers: up to step 4 the open chords lie in rooms that
