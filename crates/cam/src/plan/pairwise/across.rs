@@ -4,8 +4,9 @@ use crate::plan::Landing;
 use crate::plan::levels::Area;
 use crate::plan::order::{Orderer, Step};
 use crate::plan::ways::{Summit, Way, Ways};
-use pocketry_geom::Segment;
 use pocketry_geom::offset::{PairwiseOffsetter, degenerate_slack};
+use pocketry_geom::{BBox, Segment};
+use std::cell::OnceCell;
 use std::collections::BTreeSet;
 
 /// Places of a loop from which ways are tried.
@@ -13,8 +14,16 @@ const TRIED: usize = 64;
 
 /// Ways are looked for without a skeleton.
 pub(super) struct StraightWays<'a> {
-    pub(super) offsetter: &'a PairwiseOffsetter<'a>,
-    pub(super) size: f64,
+    offsetter: &'a PairwiseOffsetter<'a>,
+    size: f64,
+    /// Of the starts of each track's segments, found when first asked for.
+    boxes: OnceCell<Vec<BBox>>,
+}
+
+impl<'a> StraightWays<'a> {
+    pub(super) fn new(offsetter: &'a PairwiseOffsetter<'a>) -> Self {
+        Self { offsetter, size: offsetter.size(), boxes: OnceCell::new() }
+    }
 }
 
 impl Ways for StraightWays<'_> {
@@ -32,8 +41,14 @@ impl Ways for StraightWays<'_> {
         let from = &last.cut.segments;
         let distance = orderer.levels.tracks[last.track as usize].distance;
         let free = distance - degenerate_slack(distance);
+        let (own, boxes) = (bbox(from), self.boxes.get_or_init(|| boxes(orderer)));
+        let mut by_gap: Vec<(f64, u32)> = left.iter().map(|&track| (gap(own, boxes[track as usize]), track)).collect();
+        by_gap.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         let mut tried: Vec<(f64, usize, Landing)> = Vec::new();
-        for &track in left {
+        for (gap, track) in by_gap {
+            if tried.get(TRIED - 1).is_some_and(|farthest| gap > farthest.0) {
+                break;
+            }
             let segments = &orderer.levels.tracks[track as usize].segments;
             for k in (0..from.len()).step_by(from.len().div_ceil(TRIED)) {
                 let p = from[k].start();
@@ -42,10 +57,11 @@ impl Ways for StraightWays<'_> {
                 let nearest = landings.min_by(|a, b| a.point.distance(p).total_cmp(&b.point.distance(p)))?;
                 tried.push((nearest.point.distance(p), k, nearest));
             }
+            tried.sort_by(|a, b| a.0.total_cmp(&b.0));
+            tried.truncate(TRIED);
         }
-        tried.sort_by(|a, b| a.0.total_cmp(&b.0));
         let walls = self.offsetter.boundary();
-        let (_, k, landing) = tried.into_iter().take(TRIED).find(|&(_, k, landing)| {
+        let (_, k, landing) = tried.into_iter().find(|&(_, k, landing)| {
             let way = Segment::line(from[k].start(), landing.point);
             walls.nearest_to(&way, free).is_none()
         })?;
@@ -53,4 +69,21 @@ impl Ways for StraightWays<'_> {
         way.push(Segment::line(from[k].start(), landing.point));
         Some((way, landing))
     }
+}
+
+fn boxes(orderer: &Orderer<'_>) -> Vec<BBox> {
+    orderer.levels.tracks.iter().map(|t| bbox(&t.segments)).collect()
+}
+
+/// The box of the starts of some segments.
+fn bbox(segments: &[Segment]) -> BBox {
+    segments.iter().fold(BBox::EMPTY, |b, s| b.with(s.start()))
+}
+
+/// How far two boxes are from one another at least, mm.
+fn gap(a: BBox, b: BBox) -> f64 {
+    let apart = |low: f64, high: f64| (low - high).max(0.0);
+    let x = apart(a.min.x, b.max.x).max(apart(b.min.x, a.max.x));
+    let y = apart(a.min.y, b.max.y).max(apart(b.min.y, a.max.y));
+    x.hypot(y)
 }

@@ -62,7 +62,7 @@ pub fn plan_pairwise(region: &Region, job: &PocketJob) -> Result<Plan, PlanError
         return Err(PlanError::DoesNotFit { diameter: job.tool.diameter, largest: largest.max(0.0) });
     }
     let mut levels = nesting::levels(&offsets);
-    let ways = StraightWays { offsetter: &offsetter, size };
+    let ways = StraightWays::new(&offsetter);
     let radius = job.tool.radius();
     let mut cleanups = Vec::new();
     if job.cleanup && stepover > radius {

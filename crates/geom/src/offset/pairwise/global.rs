@@ -138,13 +138,13 @@ impl Judge<'_> {
         settled.into_iter().map(|v| v.unwrap_or(false)).collect()
     }
 
-    /// Whether a point is clear of the boundary; `None` where that is too close to tell.
+    /// Whether a point of a raw curve is clear of the boundary; `None` where that is too close to tell. One that is clear lies
+    /// inside: there is no wall between it and its foot.
     fn is_valid(&self, p: Point) -> Option<bool> {
-        let clearance = self.source.walls.signed_distance(p);
-        if clearance < self.d - self.tolerance {
-            Some(false)
-        } else {
-            Some(true).filter(|_| clearance >= self.d - 0.5 * self.tolerance)
+        match self.source.walls.distance_below(p, self.d - 0.5 * self.tolerance) {
+            None => Some(true),
+            Some(clearance) if clearance < self.d - self.tolerance => Some(false),
+            Some(_) => None,
         }
     }
 

@@ -21,14 +21,14 @@ impl<'a> Walls<'a> {
         Self { region, asked: Cell::new(0), index: OnceCell::new() }
     }
 
-    /// Distance of a point, positive inside the region and negative outside, mm.
-    pub(super) fn signed_distance(&self, p: Point) -> f64 {
+    /// Distance of a point, mm, where it is below `bound`.
+    pub(super) fn distance_below(&self, p: Point, bound: f64) -> Option<f64> {
         self.asked.set(self.asked.get() + 1);
         if self.asked.get() > UNINDEXED {
-            return self.boundary().signed_distance(p);
+            return self.boundary().index().nearest_within(p, bound).map(|n| n.1);
         }
         let distance = self.region.segments().map(|s| s.distance(p)).fold(f64::INFINITY, f64::min);
-        if self.region.contains(p) { distance } else { -distance }
+        Some(distance).filter(|&d| d < bound)
     }
 
     /// The boundary with its index.
