@@ -46,7 +46,7 @@ pub(super) fn loops(pieces: &[Piece], collider: &Collider, unit: f64) -> Result<
     for start in 0..parts.next.len() as u32 {
         if !seen[start as usize] {
             let chain = parts.chain(start, &mut seen);
-            if parts.is_clear(&chain, collider, unit) {
+            if parts.is_clear(&chain, collider, unit)? {
                 found.extend(assemble(chain.iter().map(|&k| parts.segment(k)), 16.0 * unit));
             }
         }
@@ -151,8 +151,15 @@ impl<'a> Parts<'a> {
         if free { Err(longest.at(0.5)) } else { Ok(()) }
     }
 
-    fn is_clear(&self, chain: &[u32], collider: &Collider, unit: f64) -> bool {
-        self.longest(chain, WITNESSES).iter().all(|s| !collider.is_deeper(s.at(0.5), unit))
+    /// Whether a closed chain is free. One that is free here and buried there is a contradiction: a crossing was missed.
+    fn is_clear(&self, chain: &[u32], collider: &Collider, unit: f64) -> Result<bool, Point> {
+        let witnesses = self.longest(chain, WITNESSES);
+        let buried = witnesses.iter().filter(|s| collider.is_deeper(s.at(0.5), unit)).count();
+        if buried == 0 || buried == witnesses.len() {
+            return Ok(buried == 0);
+        }
+        let free = |s: &&Segment| s.length() > LEAST_LENGTH * unit && !collider.is_deeper(s.at(0.5), DECIDED * unit);
+        witnesses.iter().find(free).map_or(Ok(false), |s| Err(s.at(0.5)))
     }
 
     fn longest(&self, chain: &[u32], count: usize) -> Vec<Segment> {

@@ -13,8 +13,8 @@
 //!    discarded as a whole. A spatial index answers, so that tests take far fewer than the paper's `n · m` steps.
 //! 3. Crossings of what is left, found through an index (`crossings`), rather than gaps as in the paper.
 //! 4. Loops (`chains`): at a crossing the piece from which the other turns left goes below, for the erosion lies to the left of
-//!    both; so every part of a piece has one successor or none. Successions that come back are candidates, and one collision
-//!    test on each decides.
+//!    both; so every part of a piece has one successor or none. Successions that come back are candidates, and collision
+//!    tests on some places of each decide; a loop that is free here and buried there is a contradiction.
 //!
 //! **Exactness.** With lines and arcs on both sides there is no step, and so no error of one. The profile is grown by a
 //! trifle first, so that slots exactly as wide as it vanish, whatever the rounding.
