@@ -70,7 +70,7 @@ fn main() -> ExitCode {
             }
             Outcome::Differ { distance, at, what } => {
                 tally.differ += 1;
-                println!("{}: at {distance} {what} near ({}, {})", record.id, at.x, at.y);
+                println!("{}: at {distance} {what} near ({:.4}, {:.4})", record.id, at.x, at.y);
             }
             Outcome::Refused { distance, why } => {
                 tally.refused += 1;

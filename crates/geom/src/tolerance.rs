@@ -257,23 +257,18 @@ pub const ROUNDING_SHARE: f64 = 0.15;
 
 /// Tolerances of the places at which a tool profile may be, *relative* unless said otherwise.
 pub mod profile {
-    /// Attempts, the first one with the corners as they are.
-    pub const ATTEMPTS: u32 = 6;
-    /// By how much more corners are moved in each further attempt; the first moves them by the touch length.
-    pub const RANGE_GROWTH: f64 = 10.0;
-    /// By how much a wall must come deeper than asked to be deeper, in units of the length asked.
-    pub const DECIDED: f64 = 1e-2;
-    /// An open chain whose longest part is shorter than this many touch lengths tells nothing.
-    pub const LEAST_LENGTH: f64 = 64.0;
-    /// Edges of a region shorter than this many touch lengths, or ranges of moved corners, are left out.
-    pub const SHORTEST: f64 = 16.0;
-    /// Arcs that sweep less are lines, radians.
-    pub const FLAT_SWEEP: f64 = 1e-12;
-    /// Bends of no more than this, radians, are passed over where the profile touches nothing in them: what its two sides, a distance
-    /// `r` away, lack of their crossing is a part of 1e-12 of `r`, and where that is rounding would decide.
-    pub const SLIGHT: f64 = 1e-6;
-    /// How deep a wall may come into a turning profile and still count as touching.
+    /// By how much profiles are grown before they erode a region, as a part of them: slots exactly as wide then vanish whatever the
+    /// rounding, and a tool of 10 mm keeps a nanometre from the walls.
+    pub const GROWTH: f64 = 1e-7;
+    /// How many sizes are tried, each larger than the last by that much.
+    pub const ATTEMPTS: u32 = 8;
+    /// How deep a wall may come into the profile and still count as touching: a hundredth of the growth.
     pub const ENTERED: f64 = 1e-9;
+    /// Pieces of the outline that are shorter are left out, and gaps up to ten times that closed. Above what the growth makes of
+    /// tangencies, which else are eroded anew and multiply.
+    pub const SHORTEST: f64 = 1e-8;
+    /// See [`SHORTEST`].
+    pub const JOINED: f64 = 1e-7;
     /// Directions nearer than this are the same, radians.
     pub const PARALLEL: f64 = 1e-9;
     /// Where a turning profile's direction jumps by less, it goes on: a point 20 mm away then moves by 0.0002 mm, a tenth of the gouge

@@ -1,11 +1,9 @@
 //! Erosions against closed forms, the exact engine, an independent Minkowski sum, and brute force.
 
 use super::*;
-use crate::distance::Boundary;
 use crate::offset::voronoi::VoronoiOffsetter;
 use crate::offset::{OffsetOptions, morphology::eroded};
 use crate::point::point;
-use crate::repair::{RepairOptions, build};
 use crate::skeleton::Skeleton;
 use clipper2_rust::clipper::{difference_64, xor_64};
 use clipper2_rust::core::{FillRule, Paths64, Point64, area};
