@@ -1,10 +1,10 @@
-//! Figures 3, 9, 10 and 11 of R. Molina-Carmona, A. Jimeno and M. Davia, *Contour pocketing computation using mathematical morphology*, with
+//! Figures 3, 4, 9, 10 and 11 of R. Molina-Carmona, A. Jimeno and M. Davia, *Contour pocketing computation using mathematical morphology*, with
 //! shapes of the same kind; those of figures 9 and 10 are free-form curves, sampled without fitting arcs.
 //!
-//! `cargo run -p pocketry --example profile_figures -- docs` writes `profile-figure-3.svg` … into `docs` and prints what stays. Figure 4 is
-//! `profile_figure`'s.
+//! `cargo run -p pocketry --example profile_figures -- docs` writes `profile-figure-3a.svg` … into `docs` and prints what stays.
 //!
 //! - 3: what a tool of two radii (a) and a round one (b) leave of one shape.
+//! - 4: a rectangle cut by a rectangular tool as a whole (b), and by a round one of the same width but for its corners (c).
 //! - 9: the offset by a round tool (a) and by a rectangular one (b).
 //! - 10: the same shape pocketed by both.
 //! - 11: two consecutive segments that are almost parallel.
@@ -26,6 +26,15 @@ type Anything = Result<(), Box<dyn Error>>;
 /// Distance of the lines that are looked at, mm.
 const GRID: f64 = 0.3;
 
+/// What is drawn of a pocket.
+#[derive(Clone, Copy, PartialEq)]
+enum Drawn {
+    Path,
+    /// What stays, with the outermost loop only.
+    Left,
+    Both,
+}
+
 /// How far chords may be off the curves of a figure, mm.
 const TOLERANCE: f64 = 0.02;
 
@@ -34,14 +43,18 @@ fn main() -> Anything {
     let folder = Path::new(&folder);
     let armed = armed()?;
     for (letter, word) in [("a", "stadium:14x5"), ("b", "circle:14")] {
-        pocketed(folder, &format!("3{letter}"), word, &armed, true)?;
+        pocketed(folder, &format!("3{letter}"), word, &armed, Drawn::Left)?;
+    }
+    let rectangle = polygon(&[[0.0, 0.0], [60.0, 0.0], [60.0, 36.0], [0.0, 36.0]])?;
+    for (letter, word) in [("b", "rect:12x8"), ("c", "circle:8")] {
+        pocketed(folder, &format!("4{letter}"), word, &rectangle, Drawn::Both)?;
     }
     let free = sampled(&[leaf(), island()])?;
     for (letter, word) in [("a", "circle:7"), ("b", "rect:9x5")] {
         offset(folder, &format!("9{letter}"), word, &free)?;
-        pocketed(folder, &format!("10{letter}"), word, &free, false)?;
+        pocketed(folder, &format!("10{letter}"), word, &free, Drawn::Path)?;
     }
-    pocketed(folder, "11", "circle:6", &needle()?, false)
+    pocketed(folder, "11", "circle:6", &needle()?, Drawn::Path)
 }
 
 fn sampled(contours: &[Vec<Cubic>]) -> Result<Region, Box<dyn Error>> {
@@ -109,7 +122,7 @@ fn offset(folder: &Path, number: &str, word: &str, region: &Region) -> Anything 
 }
 
 /// The whole pocket, proven, and what stays.
-fn pocketed(folder: &Path, number: &str, word: &str, region: &Region, shaded: bool) -> Anything {
+fn pocketed(folder: &Path, number: &str, word: &str, region: &Region, drawn: Drawn) -> Anything {
     let profile = word.parse::<ToolShape>()?.section(0.0);
     let (_, radius) = inscribed_circle(&profile)?;
     let job = PocketJob::for_diameter(2.0 * radius);
@@ -125,15 +138,15 @@ fn pocketed(folder: &Path, number: &str, word: &str, region: &Region, shaded: bo
         plan.loops.len(),
     );
     let mut picture = Picture::of(region, "");
-    if shaded {
+    if drawn != Drawn::Path {
         picture.add("what stays", Look::Rapid, left_by(region, &profile, &plan));
     }
     let last = plan.loops.len().saturating_sub(1).max(1) as f64;
-    let shown = if shaded { &plan.loops[plan.loops.len() - 1..] } else { &plan.loops[..] };
+    let shown = if drawn == Drawn::Left { &plan.loops[plan.loops.len() - 1..] } else { &plan.loops[..] };
     for (k, cut) in shown.iter().enumerate() {
         picture.add("loop", Look::Loop(k as f64 / last), vec![cut.segments.clone()]);
     }
-    if !shaded {
+    if drawn != Drawn::Left {
         picture.add("link", Look::Link, plan.links.iter().map(|l| l.segments.clone()).collect());
     }
     let start = plan.groups[0].start.to_vec();

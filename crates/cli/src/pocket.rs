@@ -7,7 +7,6 @@ use crate::job::{self, Proven};
 use crate::output::{Outputs, distinct, print};
 use crate::report::JobReport;
 use crate::settings::Settings;
-use crate::tool_profile::Section;
 use crate::{drawing, picture};
 use std::path::Path;
 use std::time::Instant;
@@ -54,38 +53,33 @@ fn check_targets(args: &PocketArgs, target: &Path) -> Result<(), Failure> {
 
 fn said(target: &Path, proven: &Proven) -> String {
     let (figures, proof) = (&proven.figures, &proven.proof);
-    if let Some(section) = &proven.setup.profile {
-        return said_of_profile(target, proven, section);
-    }
     format!(
-        "{}: {} loops, {} mm of cutting, {} retracts, about {}\n\
-         proven: deepest gouge {} mm, everything cut that a {} mm tool can reach{}\n",
+        "{}: {} loops, {} mm of cutting, {} retracts, about {}\n{}",
         target.display(),
         proven.plan.loops.len(),
         figure(figures.cut_length),
         figures.retracts,
         duration(figures.machine_seconds),
+        match &proven.setup.profile {
+            Some(section) => section.said(proof),
+            None => said_of_round(proof, proven.setup.job.tool.diameter),
+        },
+    )
+}
+
+/// What the proof for a round tool says, for people.
+pub(crate) fn said_of_round(proof: &pocketry_verify::Report, diameter: f64) -> String {
+    format!(
+        "proven: deepest gouge {} mm, everything cut that a {} mm tool can reach{}\n",
         figure(proof.gouge_depth()),
-        figure(proven.setup.job.tool.diameter),
+        figure(diameter),
         out_of_reach(proof),
     )
 }
 
 /// What the tool can't reach, where that is known.
-pub(crate) fn out_of_reach(proof: &pocketry_verify::Report) -> String {
+fn out_of_reach(proof: &pocketry_verify::Report) -> String {
     let Some(area) = proof.known_unreachable_area() else { return String::new() };
     let share = if proof.region_area > 0.0 { 100.0 * area / proof.region_area } else { 0.0 };
     format!("; it can't reach {} mm² ({share:.1} %)", figure(area))
-}
-
-fn said_of_profile(target: &Path, proven: &Proven, section: &Section) -> String {
-    format!(
-        "{}: {} loops, {} mm of cutting, {} retracts, about {}\n{}",
-        target.display(),
-        proven.plan.loops.len(),
-        figure(proven.figures.cut_length),
-        proven.figures.retracts,
-        duration(proven.figures.machine_seconds),
-        section.said(&proven.proof),
-    )
 }

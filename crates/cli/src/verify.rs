@@ -1,12 +1,12 @@
 //! `pocketry verify`.
 
 use crate::args::VerifyArgs;
-use crate::console::{self, figure};
+use crate::console;
 use crate::drawing;
 use crate::failure::{Exit, Failure};
 use crate::job::places;
 use crate::output::{print, write_file};
-use crate::pocket::out_of_reach;
+use crate::pocket::said_of_round;
 use crate::report::NOT_PROVEN;
 use crate::tool_profile::Section;
 use pocketry_verify::{ProgramError, Report, VerifyOptions};
@@ -36,15 +36,7 @@ pub(crate) fn run(args: &VerifyArgs) -> Result<(), Failure> {
         return Err(Failure::arguments("no tool: give its diameter in mm with --tool"));
     };
     let options = VerifyOptions { stock_to_leave: args.stock_to_leave, top: args.top, ..VerifyOptions::new(radius) };
-    let said = |proof: &Report| {
-        format!(
-            "proven: deepest gouge {} mm, everything cut that a {} mm tool can reach{}\n",
-            figure(proof.gouge_depth()),
-            figure(2.0 * radius),
-            out_of_reach(proof),
-        )
-    };
-    told(args, pocketry_verify::verify(&drawing.region, &text, &options), said)
+    told(args, pocketry_verify::verify(&drawing.region, &text, &options), |proof| said_of_round(proof, 2.0 * radius))
 }
 
 /// Says what the proof found, in the report and to people.

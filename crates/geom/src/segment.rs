@@ -298,6 +298,19 @@ impl Segment {
         }
     }
 
+    /// The part between two points of it; from its start or to its end where there is none.
+    #[must_use]
+    pub fn part(&self, from: Option<Point>, to: Option<Point>) -> Self {
+        let rest = from.map_or(*self, |p| self.split_at(p).1);
+        to.map_or(rest, |q| rest.split_at(q).0)
+    }
+
+    /// The part between two shares of its length.
+    #[must_use]
+    pub fn between(&self, [from, to]: [f64; 2]) -> Self {
+        self.part((from > 0.0).then(|| self.at(from)), (to < 1.0).then(|| self.at(to)))
+    }
+
     /// Smallest axis-parallel box.
     pub fn bbox(&self) -> BBox {
         let ends = BBox::of(self.start(), self.end());

@@ -27,6 +27,8 @@ mod quickest;
 mod report;
 mod strategy;
 mod subpockets;
+#[cfg(test)]
+mod testing;
 mod through;
 mod track;
 mod turning;

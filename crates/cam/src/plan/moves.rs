@@ -137,7 +137,7 @@ pub(crate) struct Writer<'a> {
 }
 
 impl<'a> Writer<'a> {
-    const fn new(job: &'a PocketJob) -> Self {
+    pub(super) const fn new(job: &'a PocketJob) -> Self {
         Self { job, moves: Vec::new() }
     }
 
@@ -150,19 +150,28 @@ impl<'a> Writer<'a> {
         if pass == passes { stock.top - stock.depth } else { stock.top - stock.depth * pass as f64 / passes as f64 }
     }
 
+    /// The moves so far.
+    pub(super) fn moves(&self) -> &[Move] {
+        &self.moves
+    }
+
+    pub(super) fn into_moves(self) -> Vec<Move> {
+        self.moves
+    }
+
     pub(super) fn extend(&mut self, moves: impl IntoIterator<Item = Move>) {
         self.moves.extend(moves);
     }
 
     /// Straight up to a height above the stock.
-    fn lift(&mut self, height: f64) {
+    pub(super) fn lift(&mut self, height: f64) {
         if let Some(at) = self.at() {
             self.moves.push(Move::Rapid { to: Point3 { z: self.job.stock.top + height, ..at } });
         }
     }
 
     /// Through the air to above `p`: at retract height within a pocket, at clearance height to a `fresh` one.
-    fn approach(&mut self, p: Point, fresh: bool) {
+    pub(super) fn approach(&mut self, p: Point, fresh: bool) {
         let heights = self.job.heights;
         let height = if fresh { heights.clearance.max(heights.retract) } else { heights.retract };
         self.lift(height);

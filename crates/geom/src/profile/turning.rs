@@ -263,18 +263,11 @@ fn along(segment: &Segment) -> Course {
 }
 
 /// The part of a piece between two shares of it.
-fn part(course: &Course, [from, to]: [f64; 2]) -> Course {
-    let (mut path, turn) = (course.path, course.to - course.from);
-    if path.start() != path.end() {
-        let (first, last) = (path.at(from), path.at(to));
-        if to < 1.0 {
-            path = path.split_at(last).0;
-        }
-        if from > 0.0 {
-            path = path.split_at(first).1;
-        }
-    }
-    Course { path, from: course.from + from * turn, to: course.from + to * turn }
+fn part(course: &Course, shares: [f64; 2]) -> Course {
+    let on_the_spot = course.path.start() == course.path.end();
+    let path = if on_the_spot { course.path } else { course.path.between(shares) };
+    let [from, to] = shares.map(|share| course.from + share * (course.to - course.from));
+    Course { path, from, to }
 }
 
 /// Where on a segment a point of it lies, as a share of its length.

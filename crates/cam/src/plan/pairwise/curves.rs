@@ -61,7 +61,7 @@ fn parts(whole: &Stretch, inner: &[(SiteId, Segment)], negligible: f64) -> Vec<P
     let (mut parts, mut done) = (Vec::with_capacity(2 * followed.len() + 1), 0.0);
     let skip = |from: f64, to: f64, parts: &mut Vec<Part>| {
         if to - from > least {
-            parts.push(Part::Interfering(Stretch { segment: part(&whole.segment, from, to), ..*whole }));
+            parts.push(Part::Interfering(Stretch { segment: whole.segment.between([from, to]), ..*whole }));
         }
     };
     for (from, to, segment) in followed {
@@ -107,9 +107,4 @@ fn share(s: &Segment, p: Point) -> f64 {
 
 fn middle(a: &Arc) -> Point {
     Segment::Arc(*a).at(0.5)
-}
-
-fn part(s: &Segment, from: f64, to: f64) -> Segment {
-    let rest = if from > 0.0 { s.split_at(s.at(from)).1 } else { *s };
-    if to < 1.0 { rest.split_at(s.at(to)).0 } else { rest }
 }

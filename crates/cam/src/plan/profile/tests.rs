@@ -1,22 +1,9 @@
 use super::*;
 use crate::plan::LinkKind;
+use crate::plan::testing::{block, region, tool};
 use pocketry_geom::distance::Boundary;
-use pocketry_geom::repair::{RepairOptions, build};
-use pocketry_geom::{Segment, ToolShape, Vec2, vec2};
+use pocketry_geom::{Segment, Vec2, vec2};
 use pocketry_motion::{FeedKind, Move, Stock};
-
-fn tool(word: &str) -> ToolProfile {
-    word.parse::<ToolShape>().unwrap().section(1.0)
-}
-
-fn region(contours: &[&[[f64; 3]]]) -> Region {
-    let contours = contours.iter().map(|c| Contour::from_vertices(c)).collect();
-    build(contours, &RepairOptions::default()).unwrap().region
-}
-
-fn block(x: f64, y: f64) -> [[f64; 3]; 4] {
-    [[-x, -y, 0.0], [x, -y, 0.0], [x, y, 0.0], [-x, y, 0.0]]
-}
 
 fn disc(x: f64, y: f64, r: f64) -> [[f64; 3]; 2] {
     [[x - r, y, 1.0], [x + r, y, 1.0]]

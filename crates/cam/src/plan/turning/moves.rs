@@ -2,11 +2,10 @@
 
 use super::Cut;
 use crate::job::PocketJob;
-use crate::plan::moves::{Writer as Along, passes_of};
+use crate::plan::moves::{Writer, passes_of};
 use crate::plan::{EntryKind, Group, Plan, PlannedLoop, Warning};
 use pocketry_geom::profile::turning::Course;
-use pocketry_geom::{Point, Segment};
-use pocketry_motion::{Direction, FeedKind, Move, Point3};
+use pocketry_motion::{Direction, FeedKind};
 use std::f64::consts::TAU;
 
 /// Writes every run at every depth; each is a group of its own, with a plunge.
@@ -28,17 +27,17 @@ pub(super) fn write(cuts: &[Cut], widest: f64, job: &PocketJob) -> Plan {
         });
     }
     plan.warnings.extend(plan.groups.first().map(|g| Warning::Plunge { at: g.start }));
-    let mut writer = Writer { job, moves: Vec::new(), headings: Vec::new() };
+    let mut turned = TurnedWriter { writer: Writer::new(job), headings: Vec::new() };
     for pass in 1..=passes {
-        let floor = job.stock.top - job.stock.depth * pass as f64 / passes as f64;
-        let floor = if pass == passes { job.stock.top - job.stock.depth } else { floor };
+        let floor = turned.writer.floor(pass, passes);
         for courses in &travelled {
-            writer.run(courses, floor);
+            turned.run(courses, floor);
         }
     }
-    writer.lift(job.heights.clearance);
-    plan.program.moves = writer.moves;
-    plan.program.headings = writer.headings;
+    turned.writer.lift(job.heights.clearance);
+    turned.heading(turned.headings.last().copied().unwrap_or_default());
+    plan.program.moves = turned.writer.into_moves();
+    plan.program.headings = turned.headings;
     plan
 }
 
@@ -51,47 +50,30 @@ fn travelled(cut: &Cut, direction: Direction) -> Vec<Course> {
 }
 
 /// Appends moves with directions.
-struct Writer<'a> {
-    job: &'a PocketJob,
-    moves: Vec<Move>,
+struct TurnedWriter<'a> {
+    writer: Writer<'a>,
     headings: Vec<f64>,
 }
 
-impl Writer<'_> {
-    fn push(&mut self, step: Move, heading: f64) {
-        self.moves.push(step);
-        self.headings.push(heading);
-    }
-
-    fn lift(&mut self, height: f64) {
-        if let (Some(at), Some(&heading)) = (self.moves.last().map(Move::to), self.headings.last()) {
-            self.push(Move::Rapid { to: Point3 { z: self.job.stock.top + height, ..at } }, heading);
-        }
+impl TurnedWriter<'_> {
+    /// At the end of the moves that have no direction yet, the profile has this one.
+    fn heading(&mut self, heading: f64) {
+        self.headings.resize(self.writer.moves().len(), heading);
     }
 
     /// To above the start of a run, the shorter way round to its direction, down, and along it.
     fn run(&mut self, courses: &[Course], floor: f64) {
-        let heights = self.job.heights;
-        let height = if self.moves.is_empty() { heights.clearance.max(heights.retract) } else { heights.retract };
-        self.lift(height);
         let (start, from) = (courses[0].path.start(), courses[0].from);
-        let by = self.headings.last().map_or(0.0, |last| TAU * ((last - from) / TAU).round());
-        let above = |height: f64| Move::Rapid { to: Point3::at(start, self.job.stock.top + height) };
-        self.push(above(height), from + by);
-        if height > heights.retract {
-            self.push(above(heights.retract), from + by);
-        }
-        self.push(plunge(start, floor), from + by);
+        let last = self.headings.last().copied();
+        let by = last.map_or(0.0, |last| TAU * ((last - from) / TAU).round());
+        self.writer.approach(start, last.is_none());
+        // It lifts with the direction that it has.
+        self.headings.extend(last);
+        self.writer.plunge(start, floor);
+        self.heading(from + by);
         for course in courses {
-            self.push(along(&course.path, floor), course.to + by);
+            self.writer.extend([Writer::along(&course.path, floor, FeedKind::Cut)]);
+            self.heading(course.to + by);
         }
     }
-}
-
-fn plunge(at: Point, z: f64) -> Move {
-    Move::Line { to: Point3::at(at, z), feed: FeedKind::Plunge }
-}
-
-fn along(path: &Segment, z: f64) -> Move {
-    Along::along(path, z, FeedKind::Cut)
 }

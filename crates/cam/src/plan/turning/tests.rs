@@ -1,20 +1,7 @@
 use super::*;
-use pocketry_geom::repair::{RepairOptions, build};
-use pocketry_geom::{Contour, Segment, ToolShape};
+use crate::plan::testing::{block, region, tool};
+use pocketry_geom::Segment;
 use pocketry_motion::{Direction, Stock};
-
-fn tool(word: &str) -> ToolProfile {
-    word.parse::<ToolShape>().unwrap().section(1.0)
-}
-
-fn region(contours: &[&[[f64; 3]]]) -> Region {
-    let contours = contours.iter().map(|c| Contour::from_vertices(c)).collect();
-    build(contours, &RepairOptions::default()).unwrap().region
-}
-
-fn block(x: f64, y: f64) -> [[f64; 3]; 4] {
-    [[-x, -y, 0.0], [x, -y, 0.0], [x, y, 0.0], [-x, y, 0.0]]
-}
 
 fn job(profile: &ToolProfile) -> PocketJob {
     let (_, radius) = inscribed_circle(profile).unwrap();

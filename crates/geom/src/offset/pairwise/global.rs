@@ -6,7 +6,7 @@
 
 use super::crossings::{Crossing, crossings};
 use super::local::LocalRange;
-use super::raw::{RawCurves, part};
+use super::raw::RawCurves;
 use super::{Interference, PairwiseOffset, PairwiseOffsetter};
 use crate::contour::Contour;
 use crate::offset::{Offset, OffsetLoop};
@@ -173,7 +173,7 @@ impl Judge<'_> {
         let count = pieces.clone().count();
         pieces.enumerate().map(move |(i, k)| {
             let (cut_start, cut_end) = (Some(p).filter(|_| i == 0), Some(q).filter(|_| i + 1 == count));
-            (part(self.curves.segment(k), cut_start, cut_end), self.curves.elements[k as usize])
+            (self.curves.segment(k).part(cut_start, cut_end), self.curves.elements[k as usize])
         })
     }
 

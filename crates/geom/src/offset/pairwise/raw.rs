@@ -1,6 +1,5 @@
 //! Step 2: the raw curves of all contours in one row of pieces.
 
-use crate::point::Point;
 use crate::segment::Segment;
 use std::ops::Range;
 
@@ -74,10 +73,4 @@ impl RawCurves {
 /// Pieces turn by less than half, so that chords are in order of lengths well enough.
 pub(super) fn chord_squared(s: &Segment) -> f64 {
     s.start().distance_squared(s.end())
-}
-
-/// The part of a segment between two places on it; from its start or to its end where there is none.
-pub(super) fn part(s: &Segment, from: Option<Point>, to: Option<Point>) -> Segment {
-    let rest = from.map_or(*s, |p| s.split_at(p).1);
-    to.map_or(rest, |q| rest.split_at(q).0)
 }
