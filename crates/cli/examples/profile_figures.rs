@@ -19,12 +19,14 @@ use pocketry_io::plot::{Look, Picture};
 use pocketry_io::post::{Dialect, LinuxCnc, OutputUnit, PostOptions};
 use pocketry_verify::{VerifyOptions, verify_profile};
 use std::error::Error;
+use std::f64::consts::PI;
+use std::ops::Add;
 use std::path::Path;
 
 type Anything = Result<(), Box<dyn Error>>;
 
-/// Distance of the lines that are looked at, mm.
-const GRID: f64 = 0.3;
+/// Distance of the points of a line that are looked at, half that of the lines, mm; such that no line lies on a wall.
+const GRID: f64 = 0.1875;
 
 /// What is drawn of a pocket.
 #[derive(Clone, Copy, PartialEq)]
@@ -130,7 +132,8 @@ fn pocketed(folder: &Path, number: &str, word: &str, region: &Region, drawn: Dra
     let options = PostOptions::for_tool(job.tool, job.feeds, OutputUnit::Millimetre);
     let text = LinuxCnc.write(&plan.program, &options)?;
     let proof = verify_profile(region, &text, profile.contour(), &VerifyOptions::new(radius))?;
-    let (stays, area) = (proof.unreachable_area, region.area());
+    let left = left_by(region, &profile, &plan);
+    let (stays, area) = (2.0 * GRID * left.iter().flatten().map(Segment::length).fold(0.0, Add::add), region.area());
     println!(
         "figure {number}, {word}: proven {}, gouge at most {:.4} mm, {} loops, {stays:.2} mm² stay of {area:.2} mm²",
         proof.is_proven(),
@@ -139,7 +142,7 @@ fn pocketed(folder: &Path, number: &str, word: &str, region: &Region, drawn: Dra
     );
     let mut picture = Picture::of(region, "");
     if drawn != Drawn::Path {
-        picture.add("what stays", Look::Rapid, left_by(region, &profile, &plan));
+        picture.add("what stays", Look::Rapid, left);
     }
     let last = plan.loops.len().saturating_sub(1).max(1) as f64;
     let shown = if drawn == Drawn::Left { &plan.loops[plan.loops.len() - 1..] } else { &plan.loops[..] };
@@ -167,12 +170,13 @@ fn left_by(region: &Region, profile: &ToolProfile, plan: &Plan) -> Vec<Vec<Segme
     let reach = profile.reach();
     let covered = |q: Point| {
         path.iter().filter(|way| way.distance(q) <= reach).any(|way| {
-            let seen = Segment::line((q - way.start()).to_point(), (q - way.end()).to_point());
+            // The tool about p covers q where q − p lies in the profile.
+            let seen = way.rotated(PI).translated(q.to_vec());
             shape.contains(seen.start()) || shape.distance_to(&seen) == 0.0
         })
     };
     let b = region.bbox();
-    let (columns, rows) = ((b.width() / GRID) as u32, (b.height() / (2.0 * GRID)) as u32);
+    let (columns, rows) = ((b.width() / GRID).ceil() as u32, (b.height() / (2.0 * GRID)).ceil() as u32);
     let at = |i: u32, j: u32| b.min + Vec2::new(f64::from(i) + 0.5, 2.0 * (f64::from(j) + 0.5)) * GRID;
     let mut lines = Vec::new();
     for row in 0..rows {
