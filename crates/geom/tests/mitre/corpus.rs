@@ -37,14 +37,18 @@ pub(crate) fn compare(region: &Region, distances: &[f64]) -> Outcome {
     let bbox = region.bbox();
     let (grid, step) = (Grid::new(bbox), NESTING * bbox.size());
     let paths = grid.region(region);
+    let by_parts = region.edge_count() > number("POCKETRY_BY_PARTS", 10_000);
+    let peer = |d: f64| {
+        if by_parts { grid.inwards_by_parts(region, d, LIMIT) } else { grid.inwards(&paths, d, LIMIT) }
+    };
     for offset in offsets {
         let d = offset.distance;
         if let Err(e) = well_formed(&offset) {
             out.wrong.push(format!("at {d}: {e}"));
         }
         let ours = grid.offset(&offset);
-        let too_much = grid.excess(&ours, &grid.inwards(&paths, d - step, LIMIT));
-        let too_little = grid.excess(&grid.inwards(&paths, d + step, LIMIT), &ours);
+        let too_much = grid.excess(&ours, &peer(d - step));
+        let too_little = grid.excess(&peer(d + step), &ours);
         // Where the two differ, the definition judges every part.
         let extra = too_much.iter().filter(|&&p| !region.contains(p) || covered(region, p, d - 0.5 * step, LIMIT));
         let lost = too_little.iter().filter(|&&p| region.contains(p) && !covered(region, p, d + 0.5 * step, LIMIT));
@@ -89,7 +93,8 @@ fn number(name: &str, default: usize) -> usize {
 }
 
 /// Which regions are compared. `POCKETRY_LARGEST` raises the limit of edges, whose default keeps the test to seconds;
-/// `POCKETRY_SMALLEST` and `POCKETRY_ONLY` (a part of a name) leave others out, for runs of few large ones.
+/// `POCKETRY_SMALLEST` and `POCKETRY_ONLY` (a part of a name) leave others out, for runs of few large ones. From `POCKETRY_BY_PARTS` edges on
+/// the peer unites strips and mitres instead of going round them.
 fn is_wanted(record: &Record, region: &Region) -> bool {
     let only = std::env::var("POCKETRY_ONLY").unwrap_or_default();
     let sizes = number("POCKETRY_SMALLEST", 0)..=number("POCKETRY_LARGEST", 400);

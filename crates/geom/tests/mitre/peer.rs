@@ -1,13 +1,19 @@
 //! The mitre offset and the booleans of `clipper2-rust`, on an integer grid.
+//!
+//! Where edges are far shorter than the distance, the peer's raw curve crosses itself a billion times. There the strips and mitres that the raw
+//! curve goes round are united by the peer instead, neighbours first, so that nearly all crossings are gone before they meet.
 
-use clipper2_rust::clipper::{difference_64, inflate_paths_64};
+use clipper2_rust::clipper::{difference_64, inflate_paths_64, union_64, union_subjects_64};
 use clipper2_rust::core::{FillRule, Paths64, Point64};
 use clipper2_rust::offset::{EndType, JoinType};
 use pocketry_geom::offset::Offset;
-use pocketry_geom::{BBox, Point, Region, point};
+use pocketry_geom::{BBox, Contour, Point, Region, Segment, point};
 
 /// Steps of the grid in the region's size.
 const STEPS: f64 = 1e9;
+
+/// What is no wider than this many steps of the grid is rounding.
+const ROUNDING: f64 = 4.0;
 
 /// A grid over a region.
 pub(crate) struct Grid {
@@ -41,13 +47,60 @@ impl Grid {
         inflate_paths_64(paths, -distance * self.scale, JoinType::Miter, EndType::Polygon, limit, 0.0)
     }
 
+    /// The same, put together from strips and mitres.
+    pub(crate) fn inwards_by_parts(&self, region: &Region, distance: f64, limit: f64) -> Paths64 {
+        let parts = region.contours().iter().flat_map(|c| strips_and_mitres(c, distance, limit));
+        let mut unions: Vec<Paths64> = parts.map(|p| vec![self.path(p.into_iter())]).collect();
+        while unions.len() > 1 {
+            unions = unions.chunks(2).map(united).collect();
+        }
+        let swept = unions.pop().unwrap_or_default();
+        difference_64(&self.region(region), &swept, FillRule::NonZero)
+    }
+
     /// A point in each part of the first that is not in the second.
     pub(crate) fn excess(&self, first: &Paths64, second: &Paths64) -> Vec<Point> {
         let parts = difference_64(first, second, FillRule::NonZero);
         let back = |p: Point| self.origin + (p - Point::ORIGIN) / self.scale;
-        // Holes run the other way round.
-        parts.iter().filter(|p| clipper2_rust::core::area(p) > 0.0).filter_map(|p| middle(p)).map(back).collect()
+        parts.iter().filter(|p| is_wide(p)).filter_map(|p| middle(p)).map(back).collect()
     }
+}
+
+/// Whether a part is wider than the rounding of its corners: parts that share an edge leave slits of a step or two. Holes, which run the other
+/// way round, are not.
+fn is_wide(part: &[Point64]) -> bool {
+    let next = part.iter().cycle().skip(1);
+    let length: f64 = part.iter().zip(next).map(|(a, b)| ((a.x - b.x) as f64).hypot((a.y - b.y) as f64)).sum();
+    clipper2_rust::core::area(&part.to_vec()) > ROUNDING * length
+}
+
+fn united(pair: &[Paths64]) -> Paths64 {
+    match pair {
+        [a, b] => union_64(a, b, FillRule::NonZero),
+        one => union_subjects_64(&one.concat(), FillRule::NonZero),
+    }
+}
+
+/// The polygons that the offset of a contour sweeps, in its order: the strip along each edge, and what closes the gap after it.
+fn strips_and_mitres(contour: &Contour, d: f64, limit: f64) -> Vec<Vec<Point>> {
+    let edges = &contour.segments;
+    let mut parts = Vec::with_capacity(2 * edges.len());
+    for (k, a) in edges.iter().enumerate() {
+        let up = a.start_tangent().left() * d;
+        parts.push(vec![a.start(), a.end(), a.end() + up, a.start() + up]);
+        parts.extend(mitre(a, &edges[(k + 1) % edges.len()], d, limit));
+    }
+    parts
+}
+
+/// The mitre at a reflex vertex, cut square at the distance where it is longer than the limit.
+fn mitre(a: &Segment, b: &Segment, d: f64, limit: f64) -> Option<Vec<Point>> {
+    let (u, v, at) = (a.start_tangent(), b.start_tangent(), b.start());
+    let half = 0.5 * u.angle_to(v);
+    let (up, down) = (at + u.left() * d, at + v.left() * d);
+    // On along the offset of an edge to the tip, or to where the cut, square to the bisector, leaves it.
+    let ahead = d * if 1.0 / half.cos() > limit { (0.5 * half).tan().abs() } else { half.tan().abs() };
+    (half < 0.0).then(|| vec![at, down, down - v * ahead, up + u * ahead, up])
 }
 
 /// A point inside of a polygon: half-way between the first two crossings of its widest row between corners.
