@@ -9,7 +9,7 @@ use super::{Cut, Landing, LinkKind};
 use pocketry_geom::skeleton::{EdgeId, NONE, SiteId};
 use pocketry_geom::tolerance::{LANDING, LANDING_SNAP};
 use pocketry_geom::{Point, Segment, Vec2};
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 
 /// One track of a chain.
 #[derive(Clone, Debug)]
@@ -37,8 +37,8 @@ pub(super) struct Orderer<'a> {
     pub(super) levels: &'a Levels,
     /// Every segment parallel to a site: `(level, site, track, segment)`, sorted.
     pieces: Vec<(usize, SiteId, u32, u32)>,
-    /// Every place where a track crosses an edge: level and half-edge to track and segment.
-    pub(super) crossings: HashMap<(usize, EdgeId), (u32, u32)>,
+    /// Every place where a track crosses an edge: `(level, half-edge, track, segment)`, sorted.
+    crossings: Vec<(usize, EdgeId, u32, u32)>,
     /// How far a landing may miss a loop, mm.
     miss: f64,
     /// Nearer than this to an end of a segment, a landing is moved there, mm.
@@ -48,14 +48,17 @@ pub(super) struct Orderer<'a> {
 impl<'a> Orderer<'a> {
     pub(super) fn new(ways: &'a dyn Ways, levels: &'a Levels) -> Self {
         let mut pieces = Vec::new();
-        let mut crossings = HashMap::new();
+        let mut crossings = Vec::new();
         for (t, track) in levels.tracks.iter().enumerate() {
             for (k, (&site, &crossing)) in track.sites.iter().zip(&track.crossings).enumerate() {
                 pieces.push((track.level, site, t as u32, k as u32));
-                crossings.insert((track.level, crossing), (t as u32, k as u32));
+                if crossing != NONE {
+                    crossings.push((track.level, crossing, t as u32, k as u32));
+                }
             }
         }
         pieces.sort_unstable();
+        crossings.sort_unstable();
         let size = ways.size();
         Self { ways, levels, pieces, crossings, miss: LANDING * size, snap: LANDING_SNAP * size }
     }
@@ -138,6 +141,13 @@ impl<'a> Orderer<'a> {
     /// Where a segment of a track starts.
     pub(super) fn start_of(&self, track: u32, segment: u32) -> Point {
         self.levels.tracks[track as usize].segments[segment as usize].start()
+    }
+
+    /// The track and the segment of it that cross an edge.
+    pub(super) fn crossing(&self, level: usize, edge: EdgeId) -> Option<(u32, u32)> {
+        let after = self.crossings.partition_point(|c| (c.0, c.1) <= (level, edge));
+        let &(l, e, track, segment) = self.crossings[..after].last()?;
+        ((l, e) == (level, edge)).then_some((track, segment))
     }
 
     /// The place on one of the tracks that `admits` lets pass, in a segment parallel to `site`, that is `at` but for rounding.

@@ -59,7 +59,7 @@ impl Ways for SkeletonWays<'_> {
 
     fn across(&self, orderer: &Orderer<'_>, last: &Step, left: &BTreeSet<u32>) -> Option<Way> {
         let track = &orderer.levels.tracks[last.track as usize];
-        let place = |e: EdgeId| orderer.crossings.get(&(track.level, e)).filter(|(t, _)| left.contains(t)).copied();
+        let place = |e: EdgeId| orderer.crossing(track.level, e).filter(|(t, _)| left.contains(t));
         let (way, edge) = medial_way(&self.fans, &last.cut, track.distance, &|e| place(e).is_some())?;
         let (track, segment) = place(edge)?;
         let point = orderer.start_of(track, segment);

@@ -183,7 +183,7 @@ impl Range<'_> {
         }
         let mut at = up;
         loop {
-            if let Some(&found) = self.orderer.crossings.get(&(self.level + 1, at)) {
+            if let Some(found) = self.orderer.crossing(self.level + 1, at) {
                 return Some(found);
             }
             let mut e = self.skeleton.next(at);

@@ -12,13 +12,14 @@
 
 use super::curves::{CleanupCurve, Stretch};
 use super::fibres::Fibres;
+use super::nearby::Nearby;
 use crate::plan::cleanup::{Gathered, Uncut};
 use crate::plan::order::Orderer;
 use crate::plan::track::{Insertion, Landing};
 use pocketry_geom::index::SegmentIndex;
 use pocketry_geom::offset::{PairwiseOffsetter, degenerate_slack};
 use pocketry_geom::skeleton::SiteShape;
-use pocketry_geom::{Point, Segment};
+use pocketry_geom::{BBox, Point, Segment};
 
 /// Share of the radius by which a spoke goes farther than its fibre asks for, so that it cuts what is beside it, too.
 const BESIDE: f64 = 0.125;
@@ -54,7 +55,8 @@ pub(super) fn complete(
         return;
     }
     let loops = orderer.levels.tracks.iter().flat_map(|t| &t.segments);
-    let path: Vec<Segment> = loops.chain(gathered.tours()).copied().collect();
+    let nearby = Nearby::new(&boxes(grounds, radius));
+    let path: Vec<Segment> = loops.chain(gathered.tours()).filter(|s| nearby.may_meet(s.bbox())).copied().collect();
     let swept = Swept { index: SegmentIndex::new(&path), path, offsetter, radius, slack: degenerate_slack(radius) };
     for ground in grounds {
         for curve in &ground.curves {
@@ -66,6 +68,16 @@ pub(super) fn complete(
             }
         }
     }
+}
+
+/// What holds every path that may cut something of the grounds.
+fn boxes(grounds: &[Ground], radius: f64) -> Vec<BBox> {
+    let of_ground = |g: &Ground| {
+        let margin = g.high - g.low + radius;
+        let stretches = g.curves.iter().flat_map(|c| &c.stretches);
+        stretches.map(|s| s.segment.bbox().inflated(margin)).collect::<Vec<_>>()
+    };
+    grounds.iter().flat_map(of_ground).collect()
 }
 
 fn kind(curve: &CleanupCurve) -> Uncut {

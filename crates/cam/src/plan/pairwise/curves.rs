@@ -4,7 +4,7 @@
 //! loops, it has of the envelope, too. So the interfering ranges are found wall by wall, as differences of intervals: none can
 //! be missed, wherever loops part, vanish or touch.
 
-use pocketry_geom::offset::Offset;
+use pocketry_geom::offset::{Offset, OffsetLoop};
 use pocketry_geom::skeleton::SiteId;
 use pocketry_geom::{Arc, Point, Segment};
 
@@ -33,44 +33,72 @@ enum Part {
 
 /// The clean-up curves between an envelope and the inner loops; what is no longer than `negligible` (mm) is none.
 pub(super) fn cleanup_curves(envelope: &Offset, inner: &Offset, negligible: f64) -> Vec<CleanupCurve> {
-    let mut of_site: Vec<(SiteId, Segment)> =
-        inner.loops.iter().flat_map(|l| l.sites.iter().copied().zip(l.contour.segments.iter().copied())).collect();
-    of_site.sort_by_key(|s| s.0);
-    let mut curves = Vec::new();
+    let inner = BySite::new(inner);
+    let (mut curves, mut parts, mut followed) = (Vec::new(), Vec::new(), Vec::new());
     for l in &envelope.loops {
-        let stretches = l.contour.segments.iter().zip(&l.sites).map(|(&segment, &site)| Stretch { segment, site });
-        let parts: Vec<Part> = stretches.flat_map(|s| parts(&s, of_site_among(&of_site, s.site), negligible)).collect();
+        parts.clear();
+        for (&segment, &site) in l.contour.segments.iter().zip(&l.sites) {
+            followed.clear();
+            followed.extend(inner.along(site).filter_map(|s| Followed::new(&segment, s)));
+            add_parts(&Stretch { segment, site }, &mut followed, negligible, &mut parts);
+        }
         add_curves(&parts, &mut curves);
     }
     curves
 }
 
-fn of_site_among(all: &[(SiteId, Segment)], site: SiteId) -> &[(SiteId, Segment)] {
-    let first = all.partition_point(|s| s.0 < site);
-    let count = all[first..].partition_point(|s| s.0 == site);
-    &all[first..first + count]
+/// The segments of an offset in the order of the walls that they are parallel to.
+struct BySite<'a> {
+    offset: &'a Offset,
+    /// Wall, loop and segment.
+    order: Vec<(SiteId, u32, u32)>,
 }
 
-/// A segment of the envelope less what inner loops follow.
-fn parts(whole: &Stretch, inner: &[(SiteId, Segment)], negligible: f64) -> Vec<Part> {
-    let share = |p: Point| share(&whole.segment, p).clamp(0.0, 1.0);
-    let mut followed: Vec<(f64, f64, &Segment)> =
-        inner.iter().map(|(_, s)| (share(s.start()), share(s.end()), s)).filter(|f| f.0 < f.1).collect();
-    followed.sort_by(|a, b| a.0.total_cmp(&b.0));
+impl<'a> BySite<'a> {
+    fn new(offset: &'a Offset) -> Self {
+        let of_loop = |(l, found): (u32, &'a OffsetLoop)| (0..).zip(&found.sites).map(move |(k, &site)| (site, l, k));
+        let mut order: Vec<(SiteId, u32, u32)> = (0..).zip(&offset.loops).flat_map(of_loop).collect();
+        order.sort_unstable();
+        Self { offset, order }
+    }
+
+    fn along(&self, site: SiteId) -> impl Iterator<Item = &'a Segment> + '_ {
+        let first = self.order.partition_point(|s| s.0 < site);
+        let of_site = self.order[first..].iter().take_while(move |s| s.0 == site);
+        of_site.map(|&(_, l, k)| &self.offset.loops[l as usize].contour.segments[k as usize])
+    }
+}
+
+/// What a segment of an inner loop follows of one of the envelope, as shares of that.
+struct Followed<'a> {
+    from: f64,
+    to: f64,
+    segment: &'a Segment,
+}
+
+impl<'a> Followed<'a> {
+    fn new(whole: &Segment, segment: &'a Segment) -> Option<Self> {
+        let [from, to] = [segment.start(), segment.end()].map(|p| share(whole, p).clamp(0.0, 1.0));
+        (from < to).then_some(Self { from, to, segment })
+    }
+}
+
+/// Adds a segment of the envelope less what inner loops follow.
+fn add_parts(whole: &Stretch, followed: &mut [Followed<'_>], negligible: f64, parts: &mut Vec<Part>) {
+    followed.sort_by(|a, b| a.from.total_cmp(&b.from));
     let least = negligible / whole.segment.length();
-    let (mut parts, mut done) = (Vec::with_capacity(2 * followed.len() + 1), 0.0);
     let skip = |from: f64, to: f64, parts: &mut Vec<Part>| {
         if to - from > least {
             parts.push(Part::Interfering(Stretch { segment: whole.segment.between([from, to]), ..*whole }));
         }
     };
-    for (from, to, segment) in followed {
-        skip(done, from, &mut parts);
-        parts.push(Part::Followed(segment.start(), segment.end()));
-        done = to.max(done);
+    let mut done = 0.0;
+    for f in followed {
+        skip(done, f.from, parts);
+        parts.push(Part::Followed(f.segment.start(), f.segment.end()));
+        done = f.to.max(done);
     }
-    skip(done, 1.0, &mut parts);
-    parts
+    skip(done, 1.0, parts);
 }
 
 /// The runs of parts of a closed loop that no inner loop follows.

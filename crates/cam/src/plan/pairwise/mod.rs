@@ -16,6 +16,7 @@ mod cover;
 mod curves;
 mod fibres;
 mod links;
+mod nearby;
 mod nesting;
 mod ranges;
 

@@ -74,18 +74,20 @@ pub(super) fn ranges(
         for curve in &curves {
             builder.add(&range.curve(curve), high);
         }
-        ranges.pieces.extend(builder.pieces(base, &starts(levels, level + 1)).into_iter().map(|p| (level, p)));
+        ranges.pieces.extend(builder.pieces(base, &starts(levels, level + 1, &curves)).into_iter().map(|p| (level, p)));
         ranges.grounds.push(Ground { level, base, low, high, curves });
     }
     Ok(ranges)
 }
 
-/// Where the segments of a level's tracks start: track and segment.
-fn starts(levels: &Levels, level: usize) -> HashMap<(u64, u64), (u32, u32)> {
+/// Which segments of a level's tracks start at the degenerate vertices of some curves: track and segment.
+fn starts(levels: &Levels, level: usize, curves: &[CleanupCurve]) -> HashMap<(u64, u64), (u32, u32)> {
+    let mut wanted: Vec<(u64, u64)> = curves.iter().filter_map(|c| c.roots).flatten().map(bits).collect();
+    wanted.sort_unstable();
     let tracks = (0..).zip(&levels.tracks).filter(|(_, t)| t.level == level);
     let segments =
         tracks.flat_map(|(t, track)| (0..).zip(&track.segments).map(move |(k, s)| (bits(s.start()), (t, k))));
-    segments.collect()
+    segments.filter(|(at, _)| wanted.binary_search(at).is_ok()).collect()
 }
 
 pub(super) fn bits(p: Point) -> (u64, u64) {
