@@ -97,6 +97,26 @@ fn a_tool_that_turns_with_the_walls_makes_a_proven_program_with_c_words() {
     }
 }
 
+/// Where a wall bends away smoothly, a tool that touches it can go no further, and one with a micrometre to spare can.
+#[test]
+fn a_turning_tool_follows_smooth_bends_and_fits_channels_of_its_own_width() {
+    let folder = Sandbox::new();
+    let rounded = r"[[[9.955255383,0,0],[40.4,0,0.414213562373095],[50.355255383,9.955255383,0],[50.355255383,30,0],[0,30,0],
+        [0,9.955255383,0.414213562373095]]]";
+    let slot = "[[[0,0,0],[20,0,0],[20,4,0],[60,4,0],[60,6,0],[20,6,0],[20,20,0],[0,20,0]]]";
+    for loops in [rounded, slot] {
+        folder.write("pocket.json", format!(r#"{{"id":"p","loops":{loops}}}"#));
+        let (drawing, program) = (folder.path("pocket.json"), folder.path("a.ngc"));
+        let args = ["pocket", &drawing, "--tool-profile", "rect:4x2", "--turning", "--depth", "2", "-o", &program];
+        let run = pocketry().args(args).output().unwrap();
+        assert_eq!(run.status.code(), Some(0), "{}", stderr(&run));
+    }
+    let program = folder.read("a.ngc");
+    let places = program.lines().filter_map(|l| l.split_once('X')?.1.split(' ').next()?.parse().ok());
+    let deepest = places.fold(0.0, f64::max);
+    assert!((57.9..=58.0).contains(&deepest), "it goes to the end of the channel: X{deepest}");
+}
+
 #[test]
 fn a_tool_is_drawn_in_svg_or_dxf_too() {
     let folder = Sandbox::new();

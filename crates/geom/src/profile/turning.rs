@@ -3,7 +3,7 @@
 //! the structuring element at every position on the boundary.
 //!
 //! The profile's x axis is kept along the wall, which stays on its right, so that its −y side touches: the reference point runs along the
-//! parallel of each wall at [`Turning::touch_distance`], and on an arc about each reflex corner: one touching direction for every place.
+//! parallel of each wall at [`Turning::touch_distance`] or a trifle further in, and on an arc about each reflex corner: one touching direction for every place.
 //! Further in, it runs along offsets of the walls, and keeps the direction of the wall that is nearest.
 //!
 //! 1. Along a line of such a parallel the profile is shifted; along an arc it turns about the arc's centre as a rigid body, for its
@@ -17,6 +17,7 @@
 
 use super::ToolProfile;
 use crate::bbox::BBox;
+use crate::contour::Contour;
 use crate::distance::Boundary;
 use crate::intersect::{Closeness, Contact, contacts};
 use crate::point::{Point, Vec2, point, vec2};
@@ -74,13 +75,16 @@ pub struct Turning<'a> {
     bbox: BBox,
     reach: f64,
     touch: f64,
+    /// How far it keeps from the wall that it follows, mm.
+    spare: f64,
     /// How deep a wall may come into the profile and still count as touching it, mm.
     entered: f64,
 }
 
 impl<'a> Turning<'a> {
-    /// A profile among walls.
-    pub fn new(walls: &'a Boundary, profile: &ToolProfile) -> Self {
+    /// A profile among walls, that keeps a distance to spare (mm, far less than it is wide) from the one it follows. Without any, it comes to a
+    /// halt where a smooth bend begins, and what a tool with the least play could do goes much further.
+    pub fn new(walls: &'a Boundary, profile: &ToolProfile, spare: f64) -> Self {
         let contour = profile.contour().clone();
         let all = walls.segments().iter().fold(contour.bbox(), |b, s| b.union(s.bbox()));
         Self {
@@ -89,6 +93,7 @@ impl<'a> Turning<'a> {
             bbox: contour.bbox(),
             reach: profile.reach(),
             touch: profile.support(vec2(0.0, -1.0)),
+            spare,
             entered: ENTERED * all.size(),
             profile: Boundary::new(&Region::from_parts_unchecked(vec![contour], vec![None])),
         }
@@ -99,13 +104,30 @@ impl<'a> Turning<'a> {
         self.touch
     }
 
-    /// The runs on which the profile touches the walls of a region.
+    /// The runs on which the profile follows the walls of a region: with its distance to spare, and in channels too narrow for that, touching.
     pub fn wall_runs(&self, region: &Region) -> Vec<Run> {
-        region.contours().iter().flat_map(|c| self.runs(&self.touching(&c.segments))).collect()
+        let of_contour = |c: &Contour| {
+            let mut runs = self.runs(&self.beside(&c.segments, self.touch + self.spare));
+            let touching = self.beside(&c.segments, self.touch);
+            runs.extend(self.runs_of(touching.iter().flat_map(|s| self.free(&along(s))).filter(|c| self.is_tight(c))));
+            runs
+        };
+        region.contours().iter().flat_map(of_contour).collect()
     }
 
-    /// The curves on which the profile touches the walls of a contour; where walls turn inwards they don't meet.
-    fn touching(&self, walls: &[Segment]) -> Vec<Segment> {
+    /// Whether the profile, touching a wall along a piece, is too tight for its distance to spare.
+    fn is_tight(&self, course: &Course) -> bool {
+        let angle = 0.5 * (course.from + course.to);
+        let at = course.path.at(0.5) + Vec2::from_angle(angle).left() * self.spare;
+        let mut is_free = self.walls.contains(at);
+        self.walls.index().visit(BBox::EMPTY.with(at), self.reach, |_, wall| {
+            is_free = is_free && !self.is_entered_by(&Frame { at, angle }.seen(wall));
+        });
+        self.spare > 0.0 && !is_free
+    }
+
+    /// The curves beside the walls of a contour at a distance; where walls turn inwards they don't meet.
+    fn beside(&self, walls: &[Segment], distance: f64) -> Vec<Segment> {
         let mut curves: Vec<Segment> = Vec::new();
         let mut push = |mut curve: Segment| {
             if let Some(last) = curves.last().filter(|last| last.end().distance(curve.start()) <= self.entered) {
@@ -114,11 +136,11 @@ impl<'a> Turning<'a> {
             curves.push(curve);
         };
         for (wall, next) in walls.iter().zip(walls.iter().cycle().skip(1)) {
-            parallel(wall, self.touch).into_iter().for_each(&mut push);
+            parallel(wall, distance).into_iter().for_each(&mut push);
             let (arriving, leaving) = (wall.end_tangent().left(), next.start_tangent().left());
             let turn = arriving.angle_to(leaving);
             if turn < -PARALLEL {
-                let (center, radius) = (wall.end(), self.touch);
+                let (center, radius) = (wall.end(), distance);
                 let (start, end) = (center + arriving * radius, center + leaving * radius);
                 push(Segment::Arc(Arc { start, end, center, radius, ccw: false }));
             }
@@ -133,8 +155,13 @@ impl<'a> Turning<'a> {
 
     /// The parts of successive curves, the nearest wall to their right, along which the profile enters no wall.
     pub fn runs(&self, curves: &[Segment]) -> Vec<Run> {
+        self.runs_of(curves.iter().flat_map(|s| self.free(&along(s))))
+    }
+
+    /// Runs of successive free pieces.
+    fn runs_of(&self, courses: impl Iterator<Item = Course>) -> Vec<Run> {
         let mut runs: Vec<Run> = Vec::new();
-        for course in curves.iter().flat_map(|s| self.free(&along(s))) {
+        for course in courses {
             let joined = runs.last().and_then(|run| self.joined(run.courses[run.courses.len() - 1], course));
             match (runs.last_mut(), joined) {
                 (Some(run), Some(more)) => run.courses.extend(more),

@@ -27,12 +27,13 @@ struct Cell {
 pub(crate) fn uncovered(walls: &Walls, places: &Places, sweep: &Sweep, bbox: BBox) -> Result<Beyond, Point> {
     let samples = samples(places.shape);
     let missing = |p: Point, around: f64| samples.iter().any(|b| places.exclude(p - *b, around));
-    divided(walls, sweep, bbox, missing)
+    divided(walls, sweep, bbox, true, missing)
 }
 
 /// A point that may be left uncut though the profile, turning about it, keeps clear of the walls.
 pub(crate) fn uncovered_free(walls: &Walls, sweep: &Sweep, bbox: BBox) -> Option<Point> {
-    divided(walls, sweep, bbox, |p, around| walls.tree.any_within(p, sweep.shape.reach - around)).err()
+    let missing = |p: Point, around: f64| walls.tree.any_within(p, sweep.shape.reach - around);
+    divided(walls, sweep, bbox, false, missing).err()
 }
 
 /// What of the region is out of reach.
@@ -61,8 +62,15 @@ impl Beyond {
     }
 }
 
-/// What is `missing` among what must be swept; or a point of the region that is neither that nor known to be swept.
-fn divided(walls: &Walls, sweep: &Sweep, bbox: BBox, missing: impl Fn(Point, f64) -> bool) -> Result<Beyond, Point> {
+/// What is `missing` among what must be swept, where that is to be `measured`; or a point of the region that is neither that nor known to be
+/// swept.
+fn divided(
+    walls: &Walls,
+    sweep: &Sweep,
+    bbox: BBox,
+    measured: bool,
+    missing: impl Fn(Point, f64) -> bool,
+) -> Result<Beyond, Point> {
     let mut beyond = Beyond::default();
     let size = sweep.shape.depth_within;
     let (columns, rows) = ((bbox.width() / size).ceil().max(1.0), (bbox.height() / size).ceil().max(1.0));
@@ -80,8 +88,10 @@ fn divided(walls: &Walls, sweep: &Sweep, bbox: BBox, missing: impl Fn(Point, f64
             continue;
         }
         let missing = cell.missing || missing(cell.center, around);
-        if missing && around < COARSEST * size {
-            beyond.add(walls, sweep, cell, on_wall);
+        if missing && (!measured || around < COARSEST * size) {
+            if measured {
+                beyond.add(walls, sweep, cell, on_wall);
+            }
             continue;
         }
         if !missing && around < FINEST * sweep.tube {

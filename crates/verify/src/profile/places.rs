@@ -18,7 +18,7 @@ pub(crate) struct Places<'a> {
     walls: &'a Walls,
     pub(crate) shape: &'a Shape,
     /// mm, positive.
-    distance: f64,
+    pub(crate) distance: f64,
 }
 
 impl<'a> Places<'a> {

@@ -145,21 +145,61 @@ fn divide(motion: &Motion, curve: Segment, [from, to]: [f64; 2], (reach, fine): 
                 out.push(Part { angle, body, ..rest });
             }
         }
-        Segment::Arc(a) if (by - a.sweep()).abs() * reach <= fine => {
-            let slack = motion.slack + (by - a.sweep()).abs() * reach;
-            out.push(Part { body: Body::About { center: a.center, by: a.sweep() }, slack, ..rest });
+        Segment::Arc(a) if (by - a.sweep()).abs() <= 0.5 * by.abs() => {
+            // It turns a little more or less than the arc, as the program's decimals have it.
+            let off = (by - a.sweep()).abs() * reach;
+            let count = (off / fine).ceil().clamp(1.0, MOST_PARTS);
+            for (piece, share) in equal_parts(curve, count) {
+                let Segment::Arc(part) = piece else { continue };
+                let body = Body::About { center: a.center, by: part.sweep() };
+                out.push(Part {
+                    curve: piece,
+                    angle: from + by * share,
+                    body,
+                    slack: motion.slack + off / count,
+                    ..rest
+                });
+            }
         }
         _ => {
             // The middle's direction is off by half a part's turn at most.
             let count = (0.5 * by.abs() * reach / fine).ceil().clamp(1.0, MOST_PARTS);
-            let mut left = curve;
-            for k in 0..count as u32 {
-                let end = curve.at(f64::from(k + 1) / count);
-                let piece = if f64::from(k + 1) < count { left.split_at(end) } else { (left, left) };
-                left = piece.1;
-                let angle = from + by * (f64::from(k) + 0.5) / count;
-                out.push(Part { curve: piece.0, angle, slack: motion.slack + 0.5 * by.abs() / count * reach, ..rest });
+            let slack = motion.slack + 0.5 * by.abs() / count * reach;
+            for (piece, share) in equal_parts(curve, count) {
+                out.push(Part { curve: piece, angle: from + by * (share + 0.5 / count), slack, ..rest });
             }
         }
+    }
+}
+
+/// A curve in so many parts of one length, each with the share of the curve before it.
+fn equal_parts(curve: Segment, count: f64) -> impl Iterator<Item = (Segment, f64)> {
+    let mut left = curve;
+    (0..count as u32).map(move |k| {
+        let end = curve.at(f64::from(k + 1) / count);
+        let piece = if f64::from(k + 1) < count { left.split_at(end) } else { (left, left) };
+        left = piece.1;
+        (piece.0, f64::from(k) / count)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pocketry_geom::point;
+
+    /// Decimals of a small arc's ends are some ten-thousandths of its sweep: it took thousands of parts, as if it were askew.
+    #[test]
+    fn an_arc_whose_decimals_are_rounded_stays_whole_or_nearly() {
+        let text =
+            "G21 G90 G17 G61\nM3 S1000\nG0 Z5\nG0 X0.5 Y0 C90\nG1 Z-1 F100\nG3 X0 Y0.5001 I-0.5 J0 C180\nG0 Z5\nM2\n";
+        let trace = crate::gcode::read(text).unwrap();
+        let parts = parts(&trace, crate::final_motions(&trace, 0.0), 2.0, 1e-4);
+        let turning: Vec<&Part> = parts.iter().filter(|p| matches!(p.body, Body::About { .. })).collect();
+        assert!((1..=10).contains(&turning.len()), "{} parts", turning.len());
+        assert!(turning.iter().all(|p| p.slack < 1.1e-4 + 1e-9));
+        assert!((turning[0].curve.start().distance(point(0.5, 0.0))).abs() < 1e-9);
+        let total: f64 = turning.iter().map(|p| if let Body::About { by, .. } = p.body { by } else { 0.0 }).sum();
+        assert!((total - 0.5 * std::f64::consts::PI).abs() < 1e-3);
     }
 }

@@ -18,7 +18,8 @@ use pocketry_geom::tolerance::proof::{CUSP, SMOOTH_JOINT};
 use pocketry_geom::{Arc, Segment};
 use std::f64::consts::{PI, TAU};
 
-/// A curve is divided until its parts are shorter than this share of the tube about the path.
+/// A curve is divided until its parts are shorter than this share of the tube about the path, and of what the profile has to spare: between
+/// two smooth walls the one changes as slowly as the other.
 const FINEST: f64 = 0.05;
 
 /// The share of the distance to spare that a touching profile must have from all walls; it has all of it from the one it touches.
@@ -65,7 +66,7 @@ fn unvisited(places: &Places, path: &Path, curve: Segment) -> Option<pocketry_ge
         if places.exclude_turned(middle, angle, half + turned, SPARE) || visited(places, path, &part, half + turned) {
             continue;
         }
-        if half < FINEST * path.tube {
+        if half < FINEST * path.tube.min(SPARE * places.distance) {
             return Some(middle);
         }
         let (first, second) = part.split_at(middle);

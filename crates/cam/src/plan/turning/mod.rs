@@ -27,7 +27,12 @@ use pocketry_geom::offset::{OffsetOptions, VoronoiOffsetter};
 use pocketry_geom::profile::turning::{Run, Turning};
 use pocketry_geom::ray::crossings_left;
 use pocketry_geom::skeleton::Skeleton;
+use pocketry_geom::tolerance::GOUGE;
+use pocketry_geom::tolerance::proof::{GOUGE_PER_RADIUS, PROFILE_REACH_SHARE};
 use pocketry_geom::{Point, Region, ToolProfile};
+
+/// What it keeps, as a share of what the proof gives it to spare.
+const SPARE: f64 = 0.75;
 
 /// More parallels than this are a slip of the finger.
 const MOST_LEVELS: f64 = 10_000.0;
@@ -52,8 +57,8 @@ pub fn plan_turning(region: &Region, profile: &ToolProfile, job: &PocketJob) -> 
     }
     let skeleton = Skeleton::build(region).map_err(|e| PlanError::Profile { reason: e.to_string() })?;
     let walls = Boundary::new(region);
-    let turning = Turning::new(&walls, profile);
     let (_, radius) = inscribed_circle(profile)?;
+    let turning = Turning::new(&walls, profile, spare(radius));
     let ahead = ahead(profile);
     let least = radius.min(ahead);
     let (stepover, touch) = (job.stepover.min(least), turning.touch_distance());
@@ -75,6 +80,12 @@ pub fn plan_turning(region: &Region, profile: &ToolProfile, job: &PocketJob) -> 
     }
     plan.stepover = stepover;
     Ok(plan)
+}
+
+/// How far from the wall that it follows a tool keeps, mm: so little that the wall counts as cut, and more than half of what the proof
+/// gives it to spare at places that it asks for.
+fn spare(radius: f64) -> f64 {
+    SPARE * PROFILE_REACH_SHARE * GOUGE.min(GOUGE_PER_RADIUS * radius)
 }
 
 /// How far the profile reaches straight ahead of a wall: on its y axis from the reference point, mm.

@@ -36,7 +36,7 @@ fn entered(walls: &Boundary, profile: &ToolProfile, at: Point, angle: f64) -> f6
 fn along_a_straight_wall_it_ends_where_it_meets_the_next_one() {
     let pocket = region(&[&[[-20.0, -10.0, 0.0], [20.0, -10.0, 0.0], [20.0, 10.0, 0.0], [-20.0, 10.0, 0.0]]]);
     let walls = Boundary::new(&pocket);
-    let turning = Turning::new(&walls, &tool("rect:12x4"));
+    let turning = Turning::new(&walls, &tool("rect:12x4"), 0.0);
     assert_eq!(turning.touch_distance(), 2.0);
     let runs = turning.runs(&block(18.0, 8.0).segments);
     assert_eq!(runs.len(), 4, "there is no room to turn in a corner");
@@ -50,7 +50,7 @@ fn along_a_straight_wall_it_ends_where_it_meets_the_next_one() {
 fn it_turns_on_the_spot_where_there_is_room() {
     let pocket = region(&[&[[-20.0, -20.0, 0.0], [20.0, -20.0, 0.0], [20.0, 20.0, 0.0], [-20.0, 20.0, 0.0]]]);
     let walls = Boundary::new(&pocket);
-    let runs = Turning::new(&walls, &tool("rect:12x4")).runs(&block(12.0, 12.0).segments);
+    let runs = Turning::new(&walls, &tool("rect:12x4"), 0.0).runs(&block(12.0, 12.0).segments);
     assert!(runs.len() == 1 && runs[0].is_closed(), "{runs:?}");
     let all = courses(&runs);
     assert!(all.windows(2).all(|w| w[0].to == w[1].from), "no jumps: {all:?}");
@@ -63,7 +63,7 @@ fn around_an_island_it_turns_as_the_arc_does() {
     let pocket = region(&[&[[-40.0, -40.0, 0.0], [40.0, -40.0, 0.0], [40.0, 40.0, 0.0], [-40.0, 40.0, 0.0]], &island]);
     let walls = Boundary::new(&pocket);
     let around = Contour::from_vertices(&[[-7.0, 0.0, -1.0], [7.0, 0.0, -1.0]]);
-    let runs = Turning::new(&walls, &tool("rect:12x4")).runs(&around.segments);
+    let runs = Turning::new(&walls, &tool("rect:12x4"), 0.0).runs(&around.segments);
     assert!(runs.len() == 1 && runs[0].is_closed());
     let all = courses(&runs);
     assert!((all[all.len() - 1].to - all[0].from + TAU).abs() < 1e-9, "clockwise: {all:?}");
@@ -74,11 +74,11 @@ fn within_a_round_wall_a_flat_side_fits_nowhere() {
     let pocket = region(&[&[[-20.0, 0.0, 1.0], [20.0, 0.0, 1.0]]]);
     let walls = Boundary::new(&pocket);
     let parallel = Contour::from_vertices(&[[-18.0, 0.0, 1.0], [18.0, 0.0, 1.0]]);
-    assert!(Turning::new(&walls, &tool("rect:12x4")).runs(&parallel.segments).is_empty());
+    assert!(Turning::new(&walls, &tool("rect:12x4"), 0.0).runs(&parallel.segments).is_empty());
     // Its corners lie on the wall where the middle of the flat side is √(20² − 6²) from the centre.
     let r = (20.0_f64 * 20.0 - 36.0).sqrt() - 2.0 - 1e-6;
     let inner = Contour::from_vertices(&[[-r, 0.0, 1.0], [r, 0.0, 1.0]]);
-    assert_eq!(Turning::new(&walls, &tool("rect:12x4")).runs(&inner.segments).len(), 1);
+    assert_eq!(Turning::new(&walls, &tool("rect:12x4"), 0.0).runs(&inner.segments).len(), 1);
 }
 
 /// Once lost: places nearer to the next wall than the profile reaches towards its own.
@@ -86,7 +86,7 @@ fn within_a_round_wall_a_flat_side_fits_nowhere() {
 fn a_slender_profile_goes_farther_into_corners_than_an_offset_does() {
     let pocket = region(&[&[[-20.0, -10.0, 0.0], [20.0, -10.0, 0.0], [20.0, 10.0, 0.0], [-20.0, 10.0, 0.0]]]);
     let walls = Boundary::new(&pocket);
-    let runs = Turning::new(&walls, &tool("rect:2x6")).wall_runs(&pocket);
+    let runs = Turning::new(&walls, &tool("rect:2x6"), 0.0).wall_runs(&pocket);
     assert_eq!(runs.len(), 4);
     let lengths: Vec<f64> = runs.iter().map(|r| r.courses.iter().map(|c| c.path.length()).sum()).collect();
     assert!(lengths.iter().all(|l| (l - 38.0).abs() < 1e-6 || (l - 18.0).abs() < 1e-6), "{lengths:?}");
@@ -104,7 +104,7 @@ proptest! {
         let pocket = region(&[&outer, &[[x - r, y, 1.0], [x + r, y, 1.0]]]);
         let walls = Boundary::new(&pocket);
         let profile = tool(["rect:8x3", "rounded:8x4r1", "polygon:3x6", "ellipse:8x3"][kind]);
-        let turning = Turning::new(&walls, &profile);
+        let turning = Turning::new(&walls, &profile, 0.0);
         // Any path will do, if not a parallel.
         let path = Contour::from_vertices(&[[-11.0, -8.0, 0.3], [11.0, -8.0, 0.0], [10.0, 8.0, -0.2], [-11.0, 8.0, 0.1]]);
         for segment in &path.segments {
