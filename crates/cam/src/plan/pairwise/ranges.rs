@@ -11,6 +11,9 @@
 //! 4. Curves, and the two sides of a neck, are joined where their ends come close (`links`).
 //! 5. What the paths made from these pieces leave is found and cut (`cover`).
 
+#[cfg(test)]
+mod tests;
+
 use super::cover::Ground;
 use super::curves::{CleanupCurve, Stretch, cleanup_curves};
 use super::fibres::{Fibre, Fibres};
@@ -32,7 +35,7 @@ const STRAY_SHARE: f64 = 0.0625;
 /// So many times that is added to reaches: ways stray, places are merged, and clearance is not linear between them.
 const SHARED: f64 = 4.0;
 
-/// Halvings of a stretch of the envelope.
+/// Most halvings of a stretch of the envelope.
 const HALVINGS: u32 = 14;
 
 /// The interfering ranges between and inside all loops.
@@ -129,11 +132,13 @@ impl Range<'_> {
         Curve { fibres, roots: curve.roots }
     }
 
-    /// Adds fibres after `from` up to `to`.
+    /// Adds fibres after `from` up to `to`. Halves of a stretch are refined until no way through them is wider than ways
+    /// may stray: about chords of circles, which touch the same disks, rounding may move ends along the fibres for ever.
     fn refine(&self, s: &Stretch, from: Fibre, to: Fibre, halvings: u32, fibres: &mut Vec<Fibre>) {
         let apart = from.end.distance(to.end);
+        let is_narrow = halvings == 0 || s.segment.length() <= self.stray;
         // Both ends of a short stretch may be corners, and what is between far away from them.
-        if halvings == HALVINGS || (halvings > 0 && apart > self.stray) {
+        if halvings == HALVINGS || (apart > self.stray && !is_narrow) {
             let middle = self.fibres.through(s.segment.at(0.5), s.site, Some(&from));
             let off = Segment::line(from.end, to.end).distance(middle.end);
             if apart > SPACING * self.radius || off > self.stray || from.first != to.first {
