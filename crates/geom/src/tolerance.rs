@@ -257,18 +257,30 @@ pub const ROUNDING_SHARE: f64 = 0.15;
 
 /// Tolerances of the places at which a tool profile may be, *relative* unless said otherwise.
 pub mod profile {
-    /// By how much profiles are grown before they erode a region, as a part of them: slots exactly as wide then vanish whatever the
-    /// rounding, and a tool of 10 mm keeps a nanometre from the walls.
-    pub const GROWTH: f64 = 1e-7;
-    /// How many sizes are tried, each larger than the last by that much.
-    pub const ATTEMPTS: u32 = 8;
-    /// How deep a wall may come into the profile and still count as touching: a hundredth of the growth.
+    /// Attempts, the first one with the region as it is.
+    pub const ATTEMPTS: i32 = 10;
+    /// By how much more walls are moved in every other attempt; the first moves them by the touch length.
+    pub const RANGE_GROWTH: f64 = 10.0;
+    /// The angle by which a profile is turned to the left at first, radians: what a wall that is parallel to an edge and an arc next to it
+    /// are apart then, a part of 5e-16 of the radius, is about rounding for flat arcs and tells for all after another attempt or two. A tool of
+    /// 10 mm is off by less than a nanometre.
+    pub const FIRST_TURN: f64 = 3e-8;
+    /// By how much more in every other attempt.
+    pub const TURN_GROWTH: f64 = 4.0;
+    /// By how much a wall must come deeper than asked to be deeper, in units of the length asked.
+    pub const DECIDED: f64 = 1e-2;
+    /// An open chain whose longest part is shorter than this many touch lengths tells nothing.
+    pub const LEAST_LENGTH: f64 = 64.0;
+    /// Edges of a region shorter than this many touch lengths, or ranges of moved corners, are left out.
+    pub const SHORTEST: f64 = 16.0;
+    /// Arcs that sweep less are lines, radians.
+    pub const FLAT_SWEEP: f64 = 1e-12;
+    /// Bends of no more than this, radians, are passed over where the profile touches nothing in them: what its two sides, a distance
+    /// `r` away, lack of their crossing is a part of 2.5e-11 of `r`, and where that is rounding would decide. Joints of short arcs with
+    /// six decimals bend as much.
+    pub const SLIGHT: f64 = 5e-6;
+    /// How deep a wall may come into a turning profile and still count as touching.
     pub const ENTERED: f64 = 1e-9;
-    /// Pieces of the outline that are shorter are left out, and gaps up to ten times that closed. Above what the growth makes of
-    /// tangencies, which else are eroded anew and multiply.
-    pub const SHORTEST: f64 = 1e-8;
-    /// See [`SHORTEST`].
-    pub const JOINED: f64 = 1e-7;
     /// Directions nearer than this are the same, radians.
     pub const PARALLEL: f64 = 1e-9;
     /// Where a turning profile's direction jumps by less, it goes on: a point 20 mm away then moves by 0.0002 mm, a tenth of the gouge

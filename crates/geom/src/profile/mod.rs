@@ -9,9 +9,11 @@
 
 mod ellipse;
 mod shape;
+mod sum;
 pub mod turning;
 
 pub use shape::{ToolShape, ToolShapeError};
+pub use sum::convex_sum;
 
 use crate::contour::Contour;
 use crate::point::{Point, Vec2};

@@ -114,3 +114,28 @@ fn drawn_profiles_are_checked() {
     let flat = Contour::new(vec![Segment::line(point(0.0, 0.0), point(1.0, 0.0))]);
     assert!(ToolProfile::new(flat).is_err());
 }
+
+#[test]
+fn sums_of_convex_contours_reach_as_far_as_both_together() {
+    let words =
+        ["circle:6", "rect:12x4", "rounded:12x4r1", "stadium:4x12", "polygon:3x5", "rect:12x4@30", "polygon:7x3@11"];
+    for (first, second) in words.iter().flat_map(|a| words.iter().map(move |b| (a, b))) {
+        let (a, b) = (section(first), section(second));
+        let sum = ToolProfile { contour: convex_sum(a.contour(), b.contour()) };
+        assert!(sum.is_convex(), "{first} + {second}");
+        for k in 0..100 {
+            let u = Vec2::from_angle(0.063 * f64::from(k));
+            let off = sum.support(u) - a.support(u) - b.support(u);
+            assert!(off.abs() < 1e-12, "{first} + {second}: off by {off}");
+        }
+    }
+}
+
+#[test]
+fn a_sum_of_like_rectangles_is_a_rectangle_again() {
+    let sum = convex_sum(section("rect:12x4").contour(), section("rect:3x1").contour());
+    assert_eq!(sum.segments.len(), 4);
+    assert!((sum.area() - 75.0).abs() < 1e-12);
+    let arcs = convex_sum(section("circle:6").contour(), section("circle:2").contour());
+    assert_eq!(arcs.segments.iter().filter(|s| matches!(s, Segment::Line(_))).count(), 0);
+}

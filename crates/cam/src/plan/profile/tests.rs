@@ -2,7 +2,7 @@ use super::*;
 use crate::plan::LinkKind;
 use crate::plan::testing::{block, region, tool};
 use pocketry_geom::distance::Boundary;
-use pocketry_geom::{Segment, Vec2, vec2};
+use pocketry_geom::{Contour, Segment, Vec2, vec2};
 use pocketry_motion::{FeedKind, Move, Stock};
 
 fn disc(x: f64, y: f64, r: f64) -> [[f64; 3]; 2] {

@@ -1,13 +1,11 @@
 //! The forest of the connected parts of successive erosions: figure 8 of the paper.
 
 use super::MOST_LEVELS;
+use super::levels::Levels;
 use crate::plan::PlanError;
 use pocketry_geom::distance::Boundary;
-use pocketry_geom::offset::morphology::{MorphologyError, eroded};
-use pocketry_geom::{Contour, Point, Region};
-
-/// Shares of the step that are tried where it is refused.
-const SMALLER_STEPS: [f64; 3] = [0.97, 0.93, 0.88];
+use pocketry_geom::offset::morphology::MorphologyError;
+use pocketry_geom::{BBox, Contour, Region};
 
 /// A connected part of an erosion.
 #[derive(Clone, Debug)]
@@ -31,19 +29,22 @@ pub(super) struct Forest {
 }
 
 impl Forest {
-    /// The parts of `first` and of its successive erosions by `step`. Each part is eroded on its own: the step is connected, so that
-    /// what comes of a part lies inside it.
-    pub(super) fn new(first: &Region, step: &Contour) -> Result<Self, PlanError> {
-        let mut forest = Self { parts: Vec::new(), roots: Vec::new(), limit: Boundary::new(first) };
-        forest.roots = forest.add(first, 0);
-        let mut next = 0;
-        while let Some(part) = forest.parts.get(next) {
-            if part.level >= MOST_LEVELS {
-                return Err(PlanError::Job { what: "stepover", value: step.bbox().size() });
+    /// The parts of all levels; empty where the profile fits nowhere.
+    pub(super) fn new(levels: &Levels<'_>) -> Result<Self, PlanError> {
+        let first = levels.first()?;
+        let mut forest = Self { parts: Vec::new(), roots: Vec::new(), limit: Boundary::new(&first) };
+        forest.roots = forest.add(&first, 0);
+        let mut outer = forest.roots.clone();
+        let (mut level, mut depth) = (0, 0.0);
+        while !outer.is_empty() {
+            level += 1;
+            if level > MOST_LEVELS {
+                return Err(PlanError::Job { what: "stepover", value: levels.stepover() });
             }
-            let (level, inner) = (part.level + 1, shrunk(&part.region(), step)?);
-            forest.parts[next].children = forest.add(&inner, level);
-            next += 1;
+            let inner = levels.after(&mut depth)?;
+            let parts = forest.add(&inner, level);
+            forest.hang(&parts, &outer)?;
+            outer = parts;
         }
         Ok(forest)
     }
@@ -57,26 +58,26 @@ impl Forest {
         }));
         (first..self.parts.len() as u32).collect()
     }
-}
 
-/// A part eroded by a step, or by a somewhat smaller one: any part of the step leaves nothing either (about its reference point, the
-/// mean of its corners), and where one runs into places that coincide within rounding, another doesn't.
-fn shrunk(region: &Region, step: &Contour) -> Result<Region, MorphologyError> {
-    let first = eroded(region, step, Point::ORIGIN);
-    SMALLER_STEPS.iter().fold(first, |done, &share| {
-        done.or_else(|refused| eroded(region, &scaled(step, share), Point::ORIGIN).map_err(|_| refused))
-    })
-}
-
-/// A contour scaled about the origin.
-fn scaled(contour: &Contour, share: f64) -> Contour {
-    let vertices = contour.to_vertices();
-    Contour::from_vertices(&vertices.into_iter().map(|[x, y, bulge]| [share * x, share * y, bulge]).collect::<Vec<_>>())
+    /// Makes each part the child of the one that it lies in. A step is connected and its reference point well inside it, so that a
+    /// part lies wholly in one, some way off its outline: any point tells which.
+    fn hang(&mut self, parts: &[u32], outer: &[u32]) -> Result<(), MorphologyError> {
+        let around: Vec<(u32, BBox, Boundary)> = outer
+            .iter()
+            .map(|&k| (k, self.parts[k as usize].contours[0].bbox(), self.parts[k as usize].boundary()))
+            .collect();
+        for &part in parts {
+            let at = self.parts[part as usize].contours[0].segments[0].start();
+            let holds = |(_, bbox, boundary): &&(u32, BBox, Boundary)| bbox.contains(at) && boundary.contains(at);
+            let (parent, ..) = around.iter().find(holds).ok_or(MorphologyError::Outline { at })?;
+            self.parts[*parent as usize].children.push(part);
+        }
+        Ok(())
+    }
 }
 
 impl Part {
-    fn region(&self) -> Region {
-        let parents = (0..self.contours.len()).map(|k| (k > 0).then_some(0)).collect();
-        Region::from_parts_unchecked(self.contours.clone(), parents)
+    fn boundary(&self) -> Boundary {
+        Boundary::new(&Region::from_parts_unchecked(self.contours.clone(), vec![None; self.contours.len()]))
     }
 }

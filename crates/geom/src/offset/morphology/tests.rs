@@ -1,9 +1,12 @@
 //! Erosions against closed forms, the exact engine, an independent Minkowski sum, and brute force.
 
 use super::*;
+use crate::distance::Boundary;
 use crate::offset::voronoi::VoronoiOffsetter;
 use crate::offset::{OffsetOptions, morphology::eroded};
 use crate::point::point;
+use crate::profile::convex_sum;
+use crate::repair::{RepairOptions, build};
 use crate::skeleton::Skeleton;
 use clipper2_rust::clipper::{difference_64, xor_64};
 use clipper2_rust::core::{FillRule, Paths64, Point64, area};
@@ -74,6 +77,74 @@ fn a_place_hardly_wider_than_the_profile_stays() {
     assert_eq!(places.contours().len(), 2);
 }
 
+/// Once no place at all: both walls' traces met exactly where one of them begins.
+#[test]
+fn a_rectangle_in_a_rectangle_has_places_however_tight() {
+    for share in [0.3, 0.71, 0.9, 0.99, 0.9999] {
+        // Another pocket, so that the tight one does not lie about the origin.
+        let loops = [block(37.5, 50.0 / 3.0), moved(block(75.0, 20.0), [5.0, 40.0])];
+        let tool = block(share * 37.5, share * 50.0 / 3.0);
+        let places = eroded(&region(&loops), &profile(&tool), Point::ORIGIN).unwrap();
+        let (w, h) = (share * 37.5, share * 50.0 / 3.0);
+        let expected = (37.5 - w) * (50.0 / 3.0 - h) + (75.0 - w) * (20.0 - h);
+        assert!((places.area() - expected).abs() < 1e-3, "{share}: {} instead of {expected}", places.area());
+    }
+}
+
+/// An arrow whose reflex corners lie above one another, where the traces of a rectangle's edge fall on one line.
+fn arrow() -> Loop {
+    [[0.0, 9.0], [14.0, 9.0], [14.0, 0.0], [30.0, 15.0], [14.0, 30.0], [14.0, 21.0], [0.0, 21.0]]
+        .iter()
+        .map(|[x, y]| [*x, *y, 0.0])
+        .collect()
+}
+
+/// Once nothing: the longest part of a chain that led nowhere was buried, and the free ones before it were not looked at.
+#[test]
+fn traces_on_one_line_lose_no_places() {
+    for width in [2.0, 6.0, 9.0, 12.0] {
+        let tool = profile(&block(width, 0.5 * width));
+        let (plain, straight) = (region(&[arrow()]), region(&[block(14.0, 12.0)]));
+        let places = eroded(&plain, &tool, Point::ORIGIN).unwrap();
+        let shaft = eroded(&straight, &tool, Point::ORIGIN).unwrap();
+        assert_eq!(places.contours().len(), 1, "{width}");
+        assert!(places.area() > shaft.area() + 20.0, "{width}: {}", places.area());
+    }
+}
+
+#[test]
+fn an_erosion_of_an_erosion_is_one_by_the_sum() {
+    let tools = [block(3.0, 1.5), shapes::ngon(5, 1.1, [0.0; 2]), shapes::rounded_rectangle(3.0, 1.5, 0.4)];
+    let tools = tools.map(|t| {
+        let b = profile(&t).bbox().center();
+        profile(&t).translated(-b.to_vec())
+    });
+    for (k, loops) in examples().into_iter().chain([vec![arrow()]]).enumerate() {
+        for (j, tool) in tools.iter().enumerate() {
+            let region = region(&loops);
+            let once = eroded(&region, &convex_sum(tool, tool), Point::ORIGIN).unwrap();
+            let twice = eroded(&eroded(&region, tool, Point::ORIGIN).unwrap(), tool, Point::ORIGIN).unwrap();
+            assert_eq!(once.contours().len(), twice.contours().len(), "{k} by {j}");
+            assert!((once.area() - twice.area()).abs() < 1e-3, "{k} by {j}: {} {}", once.area(), twice.area());
+        }
+    }
+}
+
+/// Once refused: a joint of arcs with six decimals bends back where the walls are parallel to an edge of the profile.
+#[test]
+fn slight_notches_along_an_edge_are_passed_over() {
+    for bend in [1e-7, 1e-6, 3e-6] {
+        // An island of two arcs to the left whose joint is a notch.
+        let (sin, cos) = (0.3_f64 - bend).sin_cos();
+        let (low, high) = ([10.0 * (1.0 - cos), -10.0 * sin], [10.0 * (1.0 - cos), 10.0 * sin]);
+        let bulge = -(0.25 * 0.3_f64).tan();
+        let island = vec![[low[0], low[1], bulge], [0.0, 0.0, bulge], [high[0], high[1], 0.0]];
+        let region = region(&[moved(block(60.0, 40.0), [3.0, 1.0]), island]);
+        let places = eroded(&region, &profile(&block(3.0, 1.5)), Point::ORIGIN).unwrap();
+        assert_eq!(places.contours().len(), 2, "{bend}");
+    }
+}
+
 #[test]
 fn the_reference_point_may_lie_anywhere() {
     let away = moved(block(12.0, 4.0), [100.0, -7.0]);
@@ -116,6 +187,7 @@ fn convex_polygons_agree_with_an_independent_minkowski_sum() {
     let polygons = [
         vec![block(40.0, 24.0), shapes::ngon(7, 4.0, [-6.0, 1.0]), shapes::ngon(5, 3.0, [9.0, -3.0])],
         vec![shapes::comb(4, 12.0)],
+        vec![arrow()],
         shapes::smooth_with_islands(200, false),
         vec![shapes::polar(90, |t| 20.0 + 6.0 * (5.0 * t).cos())],
     ];
