@@ -125,30 +125,34 @@ impl SegmentIndex {
 
     /// Calls `found` for every segment that comes within `margin` of `bbox`, and for some whose own boxes do.
     pub fn visit(&self, bbox: BBox, margin: f64, mut found: impl FnMut(usize, &Segment)) {
-        let near = Oriented::of(bbox, self.origin);
-        let grown = bbox.inflated(margin + self.slack);
-        self.visit_nodes(&near, margin, |k| {
-            if self.segments[k].bbox().intersects(grown) {
-                found(self.order[k] as usize, &self.segments[k]);
-            }
+        self.any(bbox, margin, |k, segment| {
+            found(k, segment);
+            false
         });
     }
 
-    fn visit_nodes(&self, near: &Oriented, margin: f64, mut found: impl FnMut(usize)) {
-        if self.is_empty() {
-            return;
-        }
-        let mut stack = vec![1];
+    /// Whether one of those that [`SegmentIndex::visit`] finds is as asked; none is looked at after that.
+    pub fn any(&self, bbox: BBox, margin: f64, mut is_asked: impl FnMut(usize, &Segment) -> bool) -> bool {
+        let near = Oriented::of(bbox, self.origin);
+        let grown = bbox.inflated(margin + self.slack);
+        self.any_item(&near, margin, |k| {
+            self.segments[k].bbox().intersects(grown) && is_asked(self.order[k] as usize, &self.segments[k])
+        })
+    }
+
+    fn any_item(&self, near: &Oriented, margin: f64, mut is_asked: impl FnMut(usize) -> bool) -> bool {
+        let mut stack = if self.is_empty() { vec![] } else { vec![1] };
         while let Some(node) = stack.pop() {
             if !self.tree.node(node).comes_within(near, margin + self.slack) {
                 continue;
             }
-            if node >= self.leaves {
-                self.items(node - self.leaves).for_each(&mut found);
-            } else {
+            if node < self.leaves {
                 stack.extend([2 * node + 1, 2 * node]);
+            } else if self.items(node - self.leaves).any(&mut is_asked) {
+                return true;
             }
         }
+        false
     }
 
     /// Calls `found` once for every pair of different segments that come within `margin` of each other, and for some

@@ -13,20 +13,24 @@ pub(super) struct Collider<'a> {
     pub(super) walls: &'a SegmentIndex,
     pub(super) profile: &'a Contour,
     bbox: BBox,
-    /// Centre and radius of a profile that is a circle.
-    circle: Option<(Vec2, f64)>,
+    /// Centre and radius of a circle in the profile.
+    disk: (Vec2, f64),
+    /// Whether that is all of it.
+    is_round: bool,
 }
 
 impl<'a> Collider<'a> {
-    pub(super) fn new(walls: &'a SegmentIndex, profile: &'a Contour) -> Self {
-        let circle = match profile.segments[0] {
+    /// `inside` is a point within the profile, best the middle of its largest circle.
+    pub(super) fn new(walls: &'a SegmentIndex, profile: &'a Contour, inside: Point) -> Self {
+        let round = match profile.segments[0] {
             Segment::Arc(first) if first.ccw => {
                 let same = |s: &Segment| matches!(s, Segment::Arc(a) if a.center == first.center && a.radius == first.radius && a.ccw);
                 profile.segments.iter().all(same).then(|| (first.center.to_vec(), first.radius))
             }
             _ => None,
         };
-        Self { walls, profile, bbox: profile.bbox(), circle }
+        let disk = round.unwrap_or_else(|| (inside.to_vec(), profile.distance(inside)));
+        Self { walls, profile, bbox: profile.bbox(), disk, is_round: round.is_some() }
     }
 
     /// The profile's size, mm.
@@ -36,26 +40,29 @@ impl<'a> Collider<'a> {
 
     /// Whether a wall reaches into the profile with its reference at `p` by more than `depth`.
     pub(super) fn is_deeper(&self, p: Point, depth: f64) -> bool {
-        if let Some((center, radius)) = self.circle {
-            return radius > depth && self.walls.nearest_within(p + center, radius - depth).is_some();
+        let (center, radius) = self.disk;
+        let meets_disk = radius > depth && self.walls.nearest_within(p + center, radius - depth).is_some();
+        if meets_disk || self.is_round {
+            return meets_disk;
         }
         let shift = p.to_vec();
-        let mut hit = false;
-        self.walls.visit(BBox { min: self.bbox.min + shift, max: self.bbox.max + shift }, 0.0, |_, wall| {
-            hit = hit || self.enters(&wall.translated(-shift), depth);
-        });
-        hit
+        // What is deeper in the profile is as deep in its box.
+        let inner = BBox { min: self.bbox.min + shift, max: self.bbox.max + shift }.inflated(-depth);
+        !inner.is_empty() && self.walls.any(inner, 0.0, |_, wall| self.enters(&wall.translated(-shift), depth))
     }
 
     /// Whether a wall, seen from the reference, reaches deeper into the profile: at its start, or half-way between two places
     /// where it crosses the profile's contour.
     fn enters(&self, wall: &Segment, depth: f64) -> bool {
+        if self.holds(wall.start(), depth) {
+            return true;
+        }
         let mut stops = vec![0.0, 1.0];
         for s in &self.profile.segments {
             crossings(wall, s, |p, _| stops.push(fraction(wall, p)));
         }
         stops.sort_unstable_by(f64::total_cmp);
-        self.holds(wall.start(), depth) || stops.windows(2).any(|w| self.holds(wall.at(0.5 * (w[0] + w[1])), depth))
+        stops.windows(2).any(|w| self.holds(wall.at(0.5 * (w[0] + w[1])), depth))
     }
 
     /// Whether a point lies in the profile, farther from its contour.

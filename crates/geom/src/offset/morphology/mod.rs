@@ -16,6 +16,8 @@
 //!    both; so every part of a piece has one successor or none. Successions that come back are candidates, and collision
 //!    tests on some places of each decide; a loop that is free here and buried there is a contradiction.
 //!
+//! Dilation, opening and closing follow from erosion (`dilation`).
+//!
 //! **Exactness.** With lines and arcs on both sides there is no step, and so no error of one. The profile is grown by a
 //! trifle first, so that slots exactly as wide as it vanish, whatever the rounding: by its size times [`FIRST_TURN`] and a few touch
 //! lengths where it is narrowest, in proportion elsewhere.
@@ -29,12 +31,15 @@
 mod chains;
 mod collision;
 mod crossings;
+mod dilation;
 mod disturbance;
 mod elements;
 mod pieces;
 
 #[cfg(test)]
 mod tests;
+
+pub use dilation::{closed, dilated, opened};
 
 use crate::contour::Contour;
 use crate::index::SegmentIndex;
@@ -95,6 +100,6 @@ fn outline(region: &Region, profile: &Contour, inside: Point, by: &Disturbance) 
     let segments: Vec<Segment> = walls.iter().flat_map(|c| c.segments.iter().copied()).collect();
     let index = SegmentIndex::new(&segments);
     let pieces = trajectory(&Elements::new(walls.iter()), &Elements::new(std::iter::once(&profile)));
-    let loops = chains::loops(&pieces, &Collider::new(&index, &profile), by.range).map_err(|p| p + middle)?;
+    let loops = chains::loops(&pieces, &Collider::new(&index, &profile, inside), by.range).map_err(|p| p + middle)?;
     Ok(loops.iter().map(|c| c.translated(middle)).collect())
 }

@@ -8,7 +8,7 @@ use crate::point::point;
 use crate::profile::convex_sum;
 use crate::repair::{RepairOptions, build};
 use crate::skeleton::Skeleton;
-use clipper2_rust::clipper::{difference_64, xor_64};
+use clipper2_rust::clipper::{difference_64, union_64, xor_64};
 use clipper2_rust::core::{FillRule, Paths64, Point64, area};
 use clipper2_rust::minkowski::minkowski_sum;
 use pocketry_testkit::shapes;
@@ -273,5 +273,70 @@ fn turned_mirrored_and_moved_together_nothing_changes() {
                 plain.area()
             );
         }
+    }
+}
+
+/// What differs from a Minkowski sum of walls and profile, mm², and the length of the outline.
+fn difference_to_sum(region: &Region, tool: &Loop, dilation: &Region) -> (f64, f64) {
+    let pattern = on_grid(&[profile(tool)]).remove(0);
+    let walls = on_grid(region.contours());
+    let rim: Paths64 = walls.iter().flat_map(|wall| minkowski_sum(&pattern, wall, true)).collect();
+    let theirs = union_64(&walls, &rim, FillRule::NonZero);
+    let differ = xor_64(&on_grid(dilation.contours()), &theirs, FillRule::NonZero);
+    (differ.iter().map(area).sum::<f64>().abs() * 1e-8, dilation.segments().map(Segment::length).sum())
+}
+
+#[test]
+fn dilations_agree_with_an_independent_minkowski_sum() {
+    let polygons = [
+        vec![block(40.0, 24.0), shapes::ngon(7, 4.0, [-6.0, 1.0]), shapes::ngon(5, 1.0, [9.0, -3.0])],
+        vec![shapes::comb(4, 12.0)],
+        vec![arrow()],
+        vec![block(10.0, 10.0), moved(block(6.0, 6.0), [20.0, 0.0])],
+        shapes::smooth_with_islands(200, false),
+    ];
+    let profiles = [block(3.0, 1.5), shapes::ngon(3, 1.7, [0.0; 2]), moved(shapes::ngon(8, 1.1, [0.0; 2]), [0.4, 0.2])];
+    for (k, loops) in polygons.iter().enumerate() {
+        for (j, tool) in profiles.iter().enumerate() {
+            let region = region(loops);
+            let sum = dilated(&region, &profile(tool), Point::ORIGIN).unwrap();
+            let (off, length) = difference_to_sum(&region, tool, &sum);
+            assert!(off <= 3e-4 * (1.0 + length), "{k} by {j}: {off} mm2 differ");
+        }
+    }
+}
+
+#[test]
+fn an_opening_is_what_the_tool_can_cut_and_a_closing_fills_what_it_cannot() {
+    let plate = region(&[block(40.0, 20.0)]);
+    // A round tool leaves its square's corners, a square one nothing.
+    let round = opened(&plate, &profile(&shapes::circle(3.0, [0.0; 2])), Point::ORIGIN).unwrap();
+    let corners = 9.0 * (4.0 - std::f64::consts::PI);
+    assert!((round.area() - (800.0 - corners)).abs() < 1e-3, "{}", round.area());
+    let square = opened(&plate, &profile(&block(6.0, 6.0)), Point::ORIGIN).unwrap();
+    assert!((square.area() - 800.0).abs() < 1e-3, "{}", square.area());
+    // A slit of 2 mm between two blocks is filled by what does not fit in it.
+    let blocks = region(&[block(10.0, 10.0), moved(block(10.0, 10.0), [12.0, 0.0])]);
+    let closing = closed(&blocks, &profile(&block(4.0, 4.0)), Point::ORIGIN).unwrap();
+    assert_eq!(closing.contours().len(), 1);
+    assert!((closing.area() - 220.0).abs() < 1e-3, "{}", closing.area());
+    let open = closed(&blocks, &profile(&block(1.0, 1.0)), Point::ORIGIN).unwrap();
+    assert!((open.area() - 200.0).abs() < 1e-3, "{}", open.area());
+}
+
+#[test]
+fn openings_lie_in_and_closings_about_the_region_and_twice_is_once() {
+    let tool = profile(&[[-1.5, -1.0, 0.0], [2.0, -1.0, 0.2], [1.0, 1.5, 0.0]]);
+    for (k, loops) in examples().iter().enumerate() {
+        let region = region(loops);
+        let once = opened(&region, &tool, Point::ORIGIN).unwrap();
+        let around = closed(&region, &tool, Point::ORIGIN).unwrap();
+        let (walls, off) = (Boundary::new(&region), 1e-5 * region.bbox().size());
+        assert!(once.segments().all(|s| walls.signed_distance(s.at(0.5)) > -off), "{k}");
+        let rim = Boundary::new(&around);
+        assert!(region.segments().all(|s| rim.signed_distance(s.at(0.5)) > -off), "{k}");
+        assert!(once.area() < region.area() + off && region.area() < around.area() + off, "{k}");
+        let twice = opened(&once, &tool, Point::ORIGIN).unwrap();
+        assert!((twice.area() - once.area()).abs() < 1e-2, "{k}: {} {}", once.area(), twice.area());
     }
 }
