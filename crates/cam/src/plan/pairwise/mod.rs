@@ -25,7 +25,7 @@ use super::{MOST_LEVELS, Plan, PlanError, Strategy, clamped_stepover, cleanup, m
 use crate::job::PocketJob;
 use across::StraightWays;
 use pocketry_geom::Region;
-use pocketry_geom::offset::{OffsetError, PairwiseEngine, PairwiseOffset, PairwiseOffsetter, degenerate_slack};
+use pocketry_geom::offset::{Offset, OffsetError, PairwiseEngine, PairwiseOffsetter, degenerate_slack};
 
 /// Halvings of the search for the largest tool that fits.
 const HALVINGS: usize = 40;
@@ -81,15 +81,15 @@ pub fn plan_pairwise(region: &Region, job: &PocketJob) -> Result<Plan, PlanError
 
 /// The offsets at the first distance and in steps of the stepover, as long as there are loops. Where an offset contradicts
 /// itself, the first one keeps a little more of the slack below the tool's radius, and the others lie a little nearer together.
-fn offsets(offsetter: &PairwiseOffsetter<'_>, first: f64, stepover: f64) -> Result<Vec<PairwiseOffset>, OffsetError> {
+fn offsets(offsetter: &PairwiseOffsetter<'_>, first: f64, stepover: f64) -> Result<Vec<Offset>, OffsetError> {
     let slack = degenerate_slack(first);
-    let mut offsets: Vec<PairwiseOffset> = Vec::new();
+    let mut offsets: Vec<Offset> = Vec::new();
     loop {
         let offset = match offsets.last() {
             None => offset_near(offsetter, first, slack * FIRST_SHIFT)?,
-            Some(last) => offset_near(offsetter, last.offset.distance + stepover, -slack * SHIFT)?,
+            Some(last) => offset_near(offsetter, last.distance + stepover, -slack * SHIFT)?,
         };
-        if offset.offset.loops.is_empty() {
+        if offset.loops.is_empty() {
             return Ok(offsets);
         }
         offsets.push(offset);
@@ -97,7 +97,7 @@ fn offsets(offsetter: &PairwiseOffsetter<'_>, first: f64, stepover: f64) -> Resu
 }
 
 /// The offset at a distance or, where it contradicts itself, at the nearest one in shifts that double.
-fn offset_near(offsetter: &PairwiseOffsetter<'_>, distance: f64, shift: f64) -> Result<PairwiseOffset, OffsetError> {
+fn offset_near(offsetter: &PairwiseOffsetter<'_>, distance: f64, shift: f64) -> Result<Offset, OffsetError> {
     let mut found = offsetter.offset(distance);
     let mut by = shift;
     for _ in 0..SHIFTS {
@@ -115,7 +115,7 @@ fn largest_clearance(offsetter: &PairwiseOffsetter<'_>, most: f64) -> Result<f64
     let (mut low, mut high) = (0.0, most);
     for _ in 0..HALVINGS {
         let middle = 0.5 * (low + high);
-        if offsetter.offset(middle)?.offset.loops.is_empty() {
+        if offsetter.offset(middle)?.loops.is_empty() {
             high = middle;
         } else {
             low = middle;

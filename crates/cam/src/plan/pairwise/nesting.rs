@@ -2,7 +2,7 @@
 
 use crate::plan::levels::{Area, Levels};
 use crate::plan::track::Track;
-use pocketry_geom::offset::PairwiseOffset;
+use pocketry_geom::offset::Offset;
 use pocketry_geom::{BBox, Contour, Point, Region};
 
 /// The outer loop of an area.
@@ -28,15 +28,15 @@ fn around(outers: &[Outer], p: Point) -> Option<u32> {
 }
 
 /// The loops of offsets at increasing distances as tracks and nested areas.
-pub(super) fn levels(offsets: &[PairwiseOffset]) -> Levels {
+pub(super) fn levels(offsets: &[Offset]) -> Levels {
     let mut levels = Levels::default();
     let mut before: Vec<Outer> = Vec::new();
     for (level, found) in offsets.iter().enumerate() {
-        let loops = &found.offset.loops;
+        let loops = &found.loops;
         let mut outers = Vec::new();
         for outer in loops.iter().filter(|l| l.contour.area() > 0.0) {
             let area = levels.areas.len() as u32;
-            levels.areas.push(Area { clearance: found.offset.distance, ..Area::default() });
+            levels.areas.push(Area { clearance: found.distance, ..Area::default() });
             match around(&before, outer.contour.segments[0].start()) {
                 Some(parent) => levels.areas[parent as usize].children.push(area),
                 None => levels.roots.push(area),
@@ -47,7 +47,7 @@ pub(super) fn levels(offsets: &[PairwiseOffset]) -> Levels {
             let own = outers.iter().find(|o| o.inside.contours()[0] == one.contour).map(|o| o.area);
             let Some(area) = own.or_else(|| around(&outers, one.contour.segments[0].start())) else { continue };
             levels.areas[area as usize].tracks.push(levels.tracks.len() as u32);
-            levels.tracks.push(Track::of_loop(one.clone(), found.offset.distance, level));
+            levels.tracks.push(Track::of_loop(one.clone(), found.distance, level));
         }
         before = outers;
     }

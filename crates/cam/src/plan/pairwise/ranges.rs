@@ -21,7 +21,7 @@ use super::links::{Builder, Curve};
 use super::{SHIFT, offset_near};
 use crate::plan::cleanup::{Piece, trusted};
 use crate::plan::levels::Levels;
-use pocketry_geom::offset::{OffsetError, PairwiseOffset, PairwiseOffsetter, degenerate_slack};
+use pocketry_geom::offset::{Offset, OffsetError, PairwiseOffsetter, degenerate_slack};
 use pocketry_geom::tolerance::OFFSET_DROP;
 use pocketry_geom::{Point, Segment};
 use std::collections::HashMap;
@@ -50,22 +50,22 @@ pub(super) struct Ranges {
 /// The ranges that may leave something.
 pub(super) fn ranges(
     offsetter: &PairwiseOffsetter<'_>,
-    offsets: &[PairwiseOffset],
+    offsets: &[Offset],
     levels: &Levels,
     stepover: f64,
     radius: f64,
 ) -> Result<Ranges, OffsetError> {
     let radius = trusted(radius);
-    let nothing = PairwiseOffset::default();
+    let nothing = Offset::default();
     let negligible = OFFSET_DROP * offsetter.size();
     let mut ranges = Ranges::default();
     for (level, outer) in offsets.iter().enumerate() {
         let inner = offsets.get(level + 1).unwrap_or(&nothing);
-        let base = outer.offset.distance;
-        let high = offsets.get(level + 1).map_or(base + stepover, |inner| inner.offset.distance);
-        let envelope = offset_near(offsetter, base + radius, -SHIFT * degenerate_slack(radius))?.offset;
+        let base = outer.distance;
+        let high = offsets.get(level + 1).map_or(base + stepover, |inner| inner.distance);
+        let envelope = offset_near(offsetter, base + radius, -SHIFT * degenerate_slack(radius))?;
         let low = envelope.distance;
-        let mut curves = cleanup_curves(&envelope, &inner.offset, negligible);
+        let mut curves = cleanup_curves(&envelope, inner, negligible);
         curves.retain(|c| !is_within_reach(c, radius));
         let range = Range {
             fibres: Fibres::new(offsetter, low, high),

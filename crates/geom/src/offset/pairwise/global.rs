@@ -31,12 +31,12 @@ struct Event {
     below: bool,
 }
 
-/// The valid loops of raw curves, with the ranges that collapsed to vertices of theirs.
+/// The valid loops of raw curves, with those of the ranges, if any are given, that collapsed to vertices of theirs.
 pub(super) fn loops(
     curves: &RawCurves,
     d: f64,
     source: &PairwiseOffsetter<'_>,
-    ranges: &[LocalRange],
+    ranges: Option<&[LocalRange]>,
 ) -> Result<PairwiseOffset, String> {
     let crossings = crossings(curves);
     let events = events(curves, &crossings);
@@ -51,7 +51,7 @@ pub(super) fn loops(
     });
     let mut loops: Vec<OffsetLoop> = whole.flatten().collect();
     judge.trace(&runs.valid, drop, &mut loops)?;
-    let interferences = judge.interferences(&runs, ranges);
+    let interferences = ranges.map_or_else(Vec::new, |ranges| judge.interferences(&runs, ranges));
     Ok(PairwiseOffset { offset: Offset { distance: d, loops, degenerate: Vec::new() }, interferences })
 }
 

@@ -86,10 +86,9 @@ impl PairwiseEngine {
         for &d in distances {
             check_distance(d)?;
         }
-        let least = distances.iter().copied().fold(f64::INFINITY, f64::min);
-        let straight = Self::straightened(region, least);
+        let straight = Self::straightened(region, least(distances));
         let offsetter = PairwiseOffsetter::new(straight.as_ref().unwrap_or(region));
-        distances.iter().map(|&d| offsetter.offset(d)).collect()
+        distances.iter().map(|&d| offsetter.with_ranges(d)).collect()
     }
 
     /// The region with chords for arcs, within the tolerance for offsets at distance `d` (mm) and nowhere larger; `None` where
@@ -109,8 +108,17 @@ impl OffsetEngine for PairwiseEngine {
             let reason = "it cannot keep channels just as wide as the tool; use the voronoi engine".to_owned();
             return Err(OffsetError::Region { engine: self.name(), reason });
         }
-        Ok(self.with_ranges(region, distances)?.into_iter().map(|o| o.offset).collect())
+        for &d in distances {
+            check_distance(d)?;
+        }
+        let straight = Self::straightened(region, least(distances));
+        let offsetter = PairwiseOffsetter::new(straight.as_ref().unwrap_or(region));
+        distances.iter().map(|&d| offsetter.offset(d)).collect()
     }
+}
+
+fn least(distances: &[f64]) -> f64 {
+    distances.iter().copied().fold(f64::INFINITY, f64::min)
 }
 
 /// A region of lines, ready to be offset many times.
@@ -156,16 +164,28 @@ impl<'a> PairwiseOffsetter<'a> {
         self.walls.boundary()
     }
 
-    /// The offset at a distance (mm), with its interfering ranges.
+    /// The offset at a distance (mm).
     ///
     /// # Errors
     /// Where the distance is not a positive number, or the raw curves contradict themselves.
-    pub fn offset(&self, distance: f64) -> Result<PairwiseOffset, OffsetError> {
+    pub fn offset(&self, distance: f64) -> Result<Offset, OffsetError> {
+        Ok(self.attempts(distance, false)?.offset)
+    }
+
+    /// The same with its interfering ranges: one for each convex vertex, so that they take more memory than the loops.
+    ///
+    /// # Errors
+    /// As for [`PairwiseOffsetter::offset`].
+    pub fn with_ranges(&self, distance: f64) -> Result<PairwiseOffset, OffsetError> {
+        self.attempts(distance, true)
+    }
+
+    fn attempts(&self, distance: f64, with_ranges: bool) -> Result<PairwiseOffset, OffsetError> {
         check_distance(distance)?;
         let mut reason = String::new();
         for attempt in 0..ATTEMPTS {
             let d = distance + f64::from(attempt) * PERTURBATION * self.size;
-            match self.attempt(d) {
+            match self.attempt(d, with_ranges) {
                 Ok(mut found) => {
                     found.offset.distance = distance;
                     return Ok(found);
@@ -178,13 +198,13 @@ impl<'a> PairwiseOffsetter<'a> {
         Err(OffsetError::Region { engine: PairwiseEngine.name(), reason })
     }
 
-    fn attempt(&self, d: f64) -> Result<PairwiseOffset, String> {
+    fn attempt(&self, d: f64, with_ranges: bool) -> Result<PairwiseOffset, String> {
         let mut curves = RawCurves::with_capacity(self.elements.len());
         let mut ranges = Vec::new();
         for bounds in self.bounds.windows(2) {
             let contour = &self.elements[bounds[0] as usize..bounds[1] as usize];
             local::add_raw_curve(contour, d, &mut curves, &mut ranges);
         }
-        global::loops(&curves, d, self, &ranges)
+        global::loops(&curves, d, self, with_ranges.then_some(ranges.as_slice()))
     }
 }

@@ -14,7 +14,7 @@ fn stretches_about_a_circle_are_not_refined_for_ever() {
     let stray = 0.5 * degenerate_slack(radius) + STRAY_SHARE * (2.0 * radius - stepover);
     let (low, high) = (2.0 * radius, radius + stepover);
     let range = Range { fibres: Fibres::new(&offsetter, low, high), radius: trusted(radius), stray };
-    let envelope = offsetter.offset(low).unwrap().offset;
+    let envelope = offsetter.offset(low).unwrap();
     for curve in cleanup_curves(&envelope, &Offset::default(), 0.0) {
         let (fibres, stretches) = (range.curve(&curve).fibres.len(), curve.stretches.len());
         assert!(fibres <= 4 * stretches, "{fibres} fibres for {stretches} stretches");
