@@ -119,11 +119,9 @@ impl<'a> Turning<'a> {
     fn is_tight(&self, course: &Course) -> bool {
         let angle = 0.5 * (course.from + course.to);
         let at = course.path.at(0.5) + Vec2::from_angle(angle).left() * self.spare;
-        let mut is_free = self.walls.contains(at);
-        self.walls.index().visit(BBox::EMPTY.with(at), self.reach, |_, wall| {
-            is_free = is_free && !self.is_entered_by(&Frame { at, angle }.seen(wall));
-        });
-        self.spare > 0.0 && !is_free
+        let is_entered = |_, wall: &Segment| self.is_entered_by(&Frame { at, angle }.seen(wall));
+        let blocked = || self.walls.index().any(BBox::EMPTY.with(at), self.reach, is_entered);
+        self.spare > 0.0 && (!self.walls.contains(at) || blocked())
     }
 
     /// The curves beside the walls of a contour at a distance; where walls turn inwards they don't meet.

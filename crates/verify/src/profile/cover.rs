@@ -88,10 +88,11 @@ fn divided(
             continue;
         }
         let missing = cell.missing || missing(cell.center, around);
-        if missing && (!measured || around < COARSEST * size) {
-            if measured {
-                beyond.add(walls, sweep, cell, on_wall);
-            }
+        if missing && !measured {
+            continue;
+        }
+        if missing && around < COARSEST * size {
+            beyond.add(walls, sweep, cell, on_wall);
             continue;
         }
         if !missing && around < FINEST * sweep.tube {

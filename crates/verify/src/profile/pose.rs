@@ -149,16 +149,9 @@ fn divide(motion: &Motion, curve: Segment, [from, to]: [f64; 2], (reach, fine): 
             // It turns a little more or less than the arc, as the program's decimals have it.
             let off = (by - a.sweep()).abs() * reach;
             let count = (off / fine).ceil().clamp(1.0, MOST_PARTS);
+            let (body, slack) = (Body::About { center: a.center, by: a.sweep() / count }, motion.slack + off / count);
             for (piece, share) in equal_parts(curve, count) {
-                let Segment::Arc(part) = piece else { continue };
-                let body = Body::About { center: a.center, by: part.sweep() };
-                out.push(Part {
-                    curve: piece,
-                    angle: from + by * share,
-                    body,
-                    slack: motion.slack + off / count,
-                    ..rest
-                });
+                out.push(Part { curve: piece, angle: from + by * share, body, slack, ..rest });
             }
         }
         _ => {

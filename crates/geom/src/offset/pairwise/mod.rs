@@ -83,12 +83,7 @@ impl PairwiseEngine {
     /// # Errors
     /// Where a distance is not a positive number, or the raw curves contradict themselves.
     pub fn with_ranges(&self, region: &Region, distances: &[f64]) -> Result<Vec<PairwiseOffset>, OffsetError> {
-        for &d in distances {
-            check_distance(d)?;
-        }
-        let straight = Self::straightened(region, least(distances));
-        let offsetter = PairwiseOffsetter::new(straight.as_ref().unwrap_or(region));
-        distances.iter().map(|&d| offsetter.with_ranges(d)).collect()
+        all(region, distances, true)
     }
 
     /// The region with chords for arcs, within the tolerance for offsets at distance `d` (mm) and nowhere larger; `None` where
@@ -108,17 +103,19 @@ impl OffsetEngine for PairwiseEngine {
             let reason = "it cannot keep channels just as wide as the tool; use the voronoi engine".to_owned();
             return Err(OffsetError::Region { engine: self.name(), reason });
         }
-        for &d in distances {
-            check_distance(d)?;
-        }
-        let straight = Self::straightened(region, least(distances));
-        let offsetter = PairwiseOffsetter::new(straight.as_ref().unwrap_or(region));
-        distances.iter().map(|&d| offsetter.offset(d)).collect()
+        Ok(all(region, distances, false)?.into_iter().map(|found| found.offset).collect())
     }
 }
 
-fn least(distances: &[f64]) -> f64 {
-    distances.iter().copied().fold(f64::INFINITY, f64::min)
+/// The offsets at all distances, with the region's arcs as chords fine enough for the least.
+fn all(region: &Region, distances: &[f64], with_ranges: bool) -> Result<Vec<PairwiseOffset>, OffsetError> {
+    for &d in distances {
+        check_distance(d)?;
+    }
+    let least = distances.iter().copied().fold(f64::INFINITY, f64::min);
+    let straight = PairwiseEngine::straightened(region, least);
+    let offsetter = PairwiseOffsetter::new(straight.as_ref().unwrap_or(region));
+    distances.iter().map(|&d| offsetter.attempts(d, with_ranges)).collect()
 }
 
 /// A region of lines, ready to be offset many times.
