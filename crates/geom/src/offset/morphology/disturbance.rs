@@ -38,7 +38,12 @@ impl Disturbance {
             let corners: Vec<Point> = kept.iter().map(|s| s.start() - origin + corner()).collect();
             let mut segments = Vec::with_capacity(corners.len());
             for (k, s) in kept.iter().enumerate() {
-                push(s, corners[k], corners[(k + 1) % corners.len()], &mut segments);
+                let (start, end) = (corners[k], corners[(k + 1) % corners.len()]);
+                if is_flat(s, 2.0 * self.range) {
+                    segments.push(Segment::line(start, end));
+                } else {
+                    push(s, start, end, &mut segments);
+                }
             }
             Contour::new(segments)
         };
@@ -74,6 +79,11 @@ impl Disturbance {
         }
         Contour::new(segments)
     }
+}
+
+/// Whether an arc is hardly more than its chord: no higher than `height`.
+fn is_flat(s: &Segment, height: f64) -> bool {
+    matches!(s, Segment::Arc(_)) && 0.5 * (s.end() - s.start()).length() * s.bulge().abs() <= height
 }
 
 /// A segment with the same bulge between other ends; arcs of more than half a turn as halves.
