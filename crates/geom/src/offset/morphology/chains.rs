@@ -168,12 +168,17 @@ impl<'a> Parts<'a> {
     }
 }
 
-/// A middle that is free beyond doubt, of a segment that is not too short to tell: pieces that touch along bends part by no more than
-/// `unit` over the root of that and their radius, for which the profile's size stands.
+/// A middle that is free beyond doubt, of a segment that is not too short to tell: pieces that touch along bends of a radius `r` part by a
+/// decided depth only where they are longer than the root of eight times that depth and `r`. The profile's size stands for radii
+/// that are not the segment's own.
 fn free_place(witnesses: &[Segment], collider: &Collider, unit: f64) -> Option<Point> {
-    let least = LEAST_LENGTH * unit + (unit * collider.size()).sqrt();
-    let long = witnesses.iter().filter(|s| s.length() > least);
-    long.map(|s| s.at(0.5)).find(|&p| !collider.is_deeper(p, DECIDED * unit))
+    let depth = DECIDED * unit;
+    let least = |s: &Segment| {
+        let radius = if let Segment::Arc(a) = s { a.radius } else { 0.0 };
+        LEAST_LENGTH * unit + (unit * collider.size()).max(8.0 * depth * radius).sqrt()
+    };
+    let long = witnesses.iter().filter(|s| s.length() > least(s));
+    long.map(|s| s.at(0.5)).find(|&p| !collider.is_deeper(p, depth))
 }
 
 /// A part of a segment; its chord where rounding has put its ends in the wrong order.

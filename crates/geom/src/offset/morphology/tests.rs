@@ -172,6 +172,28 @@ fn arcs_that_are_hardly_more_than_their_chords_are_lines() {
     }
 }
 
+/// Of a glyph: an edge that slides over the joint of two arcs leaves the second one, very flat, by a hundred-millionth of a millimetre.
+#[test]
+fn an_edge_slides_from_a_bend_to_a_flat_arc() {
+    let outline = vec![
+        [60.0, 11.85, 0.0],
+        [45.09, 11.85, -0.04526225],
+        [45.068794, 11.61622, -0.15772525],
+        [44.9625, 11.41875, -0.142796605],
+        [44.757808, 11.312068, -0.031376892],
+        [44.52, 11.28, 0.000513078],
+        [42.809672, 11.278245, 0.0],
+        [-60.0, 11.2, 0.0],
+        [-60.0, -12.0, 0.0],
+        [60.0, -12.0, 0.0],
+    ];
+    let tool = profile(&block(0.3867, 0.19335));
+    for k in 0..20 {
+        let region = region(&[moved(outline.clone(), [0.0, 0.1 * f64::from(k)])]);
+        assert_eq!(eroded(&region, &tool, Point::ORIGIN).map(|p| p.contours().len()), Ok(1), "{k}");
+    }
+}
+
 #[test]
 fn the_reference_point_may_lie_anywhere() {
     let away = moved(block(12.0, 4.0), [100.0, -7.0]);
