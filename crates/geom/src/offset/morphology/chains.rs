@@ -5,35 +5,24 @@
 //! successor at most and one predecessor at most, whatever the rounding: what comes back is a closed loop.
 
 use super::collision::Collider;
-use super::crossings::{crossings, fraction};
+use super::living::{Event, Living};
 use super::pieces::Piece;
 use crate::contour::Contour;
-use crate::index::SegmentIndex;
 use crate::point::Point;
 use crate::segment::{Arc, Segment};
 use crate::skeleton::NONE;
 use crate::tolerance::profile::{DECIDED, LEAST_LENGTH};
 use std::f64::consts::PI;
-use std::ops::ControlFlow;
 
 /// Parts of a loop that are asked about collisions.
 const WITNESSES: usize = 8;
 
-/// A crossing as one of its pieces meets it.
-#[derive(Clone, Copy)]
-struct Event {
-    piece: u32,
-    along: f64,
-    crossing: u32,
-    below: bool,
-    at: Point,
-}
-
 /// The loops that bound the erosion, or a place where the pieces contradict the collisions. `unit` is the length that all
 /// tolerances are multiples of, mm.
 pub(super) fn loops(pieces: &[Piece], collider: &Collider, unit: f64) -> Result<Vec<Contour>, Point> {
-    let alive: Vec<bool> = pieces.iter().map(|p| !is_buried(&p.segment, collider)).collect();
-    let parts = Parts::new(pieces, &alive, events(pieces, &alive));
+    let mut living = Living::new(pieces, collider);
+    let events = living.uncrowded(collider);
+    let parts = Parts::new(&living.pieces, events);
     let mut entered = vec![false; parts.next.len()];
     parts.next.iter().filter(|&&n| n != NONE).for_each(|&n| entered[n as usize] = true);
     let mut seen = vec![false; parts.next.len()];
@@ -54,38 +43,6 @@ pub(super) fn loops(pieces: &[Piece], collider: &Collider, unit: f64) -> Result<
     Ok(found)
 }
 
-/// Whether the profile is so deep in a wall that no point of the piece is free.
-fn is_buried(s: &Segment, collider: &Collider) -> bool {
-    let middle = s.at(0.5);
-    let reach = match s {
-        Segment::Arc(a) if a.sweep().abs() > PI => 2.0 * a.radius,
-        _ => middle.distance(s.start()).max(middle.distance(s.end())),
-    };
-    collider.is_deeper(middle, reach * (1.0 + DECIDED))
-}
-
-/// The crossings of living pieces that do not follow one another, in order along each.
-fn events(pieces: &[Piece], alive: &[bool]) -> Vec<Event> {
-    let names: Vec<u32> = (0..pieces.len() as u32).filter(|&k| alive[k as usize]).collect();
-    let segments: Vec<Segment> = names.iter().map(|&k| pieces[k as usize].segment).collect();
-    let mut events = Vec::new();
-    let mut count = 0;
-    let _: ControlFlow<()> = SegmentIndex::new(&segments).visit_pairs(0.0, |i, j| {
-        let (a, b) = (names[i], names[j]);
-        if pieces[a as usize].next != b && pieces[b as usize].next != a {
-            crossings(&segments[i], &segments[j], |at, left| {
-                for (piece, segment, below) in [(a, &segments[i], left), (b, &segments[j], !left)] {
-                    events.push(Event { piece, along: fraction(segment, at), crossing: count, below, at });
-                }
-                count += 1;
-            });
-        }
-        ControlFlow::Continue(())
-    });
-    events.sort_unstable_by(|a, b| a.piece.cmp(&b.piece).then(a.along.total_cmp(&b.along)));
-    events
-}
-
 /// The parts of all pieces: those of one piece in a row, between its events.
 struct Parts<'a> {
     pieces: &'a [Piece],
@@ -97,7 +54,7 @@ struct Parts<'a> {
 }
 
 impl<'a> Parts<'a> {
-    fn new(pieces: &'a [Piece], alive: &[bool], events: Vec<Event>) -> Self {
+    fn new(pieces: &'a [Piece], events: Vec<Event>) -> Self {
         let (mut first, mut owner) = (vec![(0, 0)], Vec::new());
         let mut event = 0;
         for k in 0..pieces.len() as u32 {
@@ -105,8 +62,7 @@ impl<'a> Parts<'a> {
             while events.get(event).is_some_and(|e| e.piece == k) {
                 event += 1;
             }
-            let parts = if alive[k as usize] { event - before + 1 } else { 0 };
-            owner.extend((0..parts).map(|_| k));
+            owner.extend((before..=event).map(|_| k));
             first.push((owner.len() as u32, event as u32));
         }
         let mut after = vec![NONE; events.len()];
@@ -115,11 +71,10 @@ impl<'a> Parts<'a> {
             after[e.crossing as usize] = part + (k as u32 - event) + 1;
         }
         let mut next = Vec::with_capacity(owner.len());
-        for (k, piece) in pieces.iter().enumerate().filter(|(k, _)| alive[*k]) {
+        for (k, piece) in pieces.iter().enumerate() {
             let own = &events[first[k].1 as usize..first[k + 1].1 as usize];
             next.extend(own.iter().map(|e| if e.below { after[e.crossing as usize] } else { NONE }));
-            let follows = piece.next != NONE && alive[piece.next as usize];
-            next.push(if follows { first[piece.next as usize].0 } else { NONE });
+            next.push(if piece.next == NONE { NONE } else { first[piece.next as usize].0 });
         }
         Self { pieces, events, first, owner, next }
     }

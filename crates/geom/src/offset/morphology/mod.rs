@@ -9,8 +9,8 @@
 //!    these places are lines and arcs again, and so are computed whole instead of at steps: a line moves by a corner of the
 //!    profile, an arc of radius `R` and one of radius `r` make an arc of radius `R ± r`. Only where the profile bends
 //!    at least as much as the wall can it touch from inside at all.
-//! 2. *Collision* (`collision`): a piece whose profile reaches into a wall by more than half the piece's length is
-//!    discarded as a whole. A spatial index answers, so that tests take far fewer than the paper's `n · m` steps.
+//! 2. *Collision* (`collision`, `living`): a piece whose profile reaches into a wall by more than half the piece's length is
+//!    discarded as a whole; crowds are halved. A spatial index answers, so that tests take far fewer than the paper's `n · m` steps.
 //! 3. Crossings of what is left, found through an index (`crossings`), rather than gaps as in the paper.
 //! 4. Loops (`chains`): at a crossing the piece from which the other turns left goes below, for the erosion lies to the left of
 //!    both; so every part of a piece has one successor or none. Successions that come back are candidates, and collision
@@ -34,6 +34,7 @@ mod crossings;
 mod dilation;
 mod disturbance;
 mod elements;
+mod living;
 mod pieces;
 
 #[cfg(test)]
