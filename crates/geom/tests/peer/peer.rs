@@ -1,10 +1,11 @@
-//! The mitre offset and the booleans of `clipper2-rust`, on an integer grid.
+//! The mitre offset, the Minkowski sum and the booleans of `clipper2-rust`, on an integer grid.
 //!
 //! Where edges are far shorter than the distance, the peer's raw curve crosses itself a billion times. There the strips and mitres that the raw
 //! curve goes round are united by the peer instead, neighbours first, so that nearly all crossings are gone before they meet.
 
 use clipper2_rust::clipper::{difference_64, inflate_paths_64, union_64, union_subjects_64};
-use clipper2_rust::core::{FillRule, Paths64, Point64};
+use clipper2_rust::core::{FillRule, Path64, Paths64, Point64};
+use clipper2_rust::minkowski::minkowski_sum;
 use clipper2_rust::offset::{EndType, JoinType};
 use pocketry_geom::offset::Offset;
 use pocketry_geom::{BBox, Contour, Point, Region, Segment, point};
@@ -35,11 +36,11 @@ impl Grid {
     }
 
     pub(crate) fn region(&self, region: &Region) -> Paths64 {
-        region.contours().iter().map(|c| self.path(c.segments.iter().map(pocketry_geom::Segment::start))).collect()
+        region.contours().iter().map(|c| self.path(c.segments.iter().map(Segment::start))).collect()
     }
 
     pub(crate) fn offset(&self, offset: &Offset) -> Paths64 {
-        offset.loops.iter().map(|l| self.path(l.contour.segments.iter().map(pocketry_geom::Segment::start))).collect()
+        offset.loops.iter().map(|l| self.path(l.contour.segments.iter().map(Segment::start))).collect()
     }
 
     /// Their offset, with the same fallback beyond the limit: square, at the offset distance.
@@ -50,7 +51,27 @@ impl Grid {
     /// The same, put together from strips and mitres.
     pub(crate) fn inwards_by_parts(&self, region: &Region, distance: f64, limit: f64) -> Paths64 {
         let parts = region.contours().iter().flat_map(|c| strips_and_mitres(c, distance, limit));
-        let mut unions: Vec<Paths64> = parts.map(|p| vec![self.path(p.into_iter())]).collect();
+        self.without(region, parts.map(|p| vec![self.path(p.into_iter())]).collect())
+    }
+
+    /// The places of a convex polygon, with its reference point at the origin, in a region of lines: what the polygon reflected does not reach
+    /// from any edge.
+    pub(crate) fn places(&self, region: &Region, polygon: &[Point]) -> Paths64 {
+        let turned = polygon.iter().map(|p| p.to_vec() * -self.scale);
+        let pattern: Path64 = turned.map(|v| Point64::new(v.x.round() as i64, v.y.round() as i64)).collect();
+        let reach = |s: &Segment| {
+            let ends = self.path([s.start(), s.end()].into_iter());
+            // The sum of a path and a polygon is without the polygon's inside where the path is short.
+            let at_start = pattern.iter().map(|q| Point64::new(ends[0].x + q.x, ends[0].y + q.y)).collect();
+            let mut reached = minkowski_sum(&pattern, &ends, false);
+            reached.push(at_start);
+            reached
+        };
+        self.without(region, region.segments().map(reach).collect())
+    }
+
+    /// A region without parts, which are in such an order that neighbours lie near one another.
+    fn without(&self, region: &Region, mut unions: Vec<Paths64>) -> Paths64 {
         while unions.len() > 1 {
             unions = unions.chunks(2).map(united).collect();
         }

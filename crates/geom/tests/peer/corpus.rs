@@ -9,6 +9,10 @@ use pocketry_testkit::corpus::{Record, read, region, shared};
 /// The limit that both sides use.
 pub(crate) const LIMIT: f64 = 10.0;
 
+/// The corpus's files.
+pub(crate) const FAMILIES: [&str; 9] =
+    ["param", "adversarial", "icons", "glyphs", "geo", "pcb", "mesh", "issues", "raw"];
+
 /// How much nearer and farther the other's offsets are taken, as a share of the region's size.
 const NESTING: f64 = 1e-6;
 
@@ -88,16 +92,16 @@ fn polygon(record: &Record) -> Option<Region> {
 }
 
 /// A number from the environment.
-fn number(name: &str, default: usize) -> usize {
+pub(crate) fn number(name: &str, default: usize) -> usize {
     std::env::var(name).ok().and_then(|n| n.parse().ok()).unwrap_or(default)
 }
 
-/// Which regions are compared. `POCKETRY_LARGEST` raises the limit of edges, whose default keeps the test to seconds;
+/// Which regions are compared. `POCKETRY_LARGEST` raises the limit of edges, whose default, `largest`, keeps a test to seconds;
 /// `POCKETRY_SMALLEST` and `POCKETRY_ONLY` (a part of a name) leave others out, for runs of few large ones. From `POCKETRY_BY_PARTS` edges on
 /// the peer unites strips and mitres instead of going round them.
-fn is_wanted(record: &Record, region: &Region) -> bool {
+pub(crate) fn is_wanted(record: &Record, region: &Region, largest: usize) -> bool {
     let only = std::env::var("POCKETRY_ONLY").unwrap_or_default();
-    let sizes = number("POCKETRY_SMALLEST", 0)..=number("POCKETRY_LARGEST", 400);
+    let sizes = number("POCKETRY_SMALLEST", 0)..=number("POCKETRY_LARGEST", largest);
     record.id.contains(&only) && sizes.contains(&region.edge_count())
 }
 
@@ -111,9 +115,9 @@ fn spacing(record: &Record, region: &Region) -> (f64, f64) {
 fn polygons_of_the_corpus_agree_with_an_independent_mitre_offset() {
     let Some(shared) = shared() else { return };
     let (mut total, mut failures, mut regions) = (Outcome::default(), Vec::new(), 0);
-    for family in ["param", "adversarial", "icons", "glyphs", "geo", "pcb", "mesh", "issues", "raw"] {
+    for family in FAMILIES {
         for record in read(&shared.join(format!("corpus/dev/{family}.jsonl"))).expect("a corpus file") {
-            let Some(region) = polygon(&record).filter(|r| is_wanted(&record, r)) else { continue };
+            let Some(region) = polygon(&record).filter(|r| is_wanted(&record, r, 400)) else { continue };
             regions += 1;
             let (r, w) = spacing(&record, &region);
             let outcome = compare(&region, &[r, r + w, r + 3.0 * w]);
