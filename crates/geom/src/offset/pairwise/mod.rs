@@ -40,6 +40,8 @@ use crate::region::Region;
 use crate::segment::Line;
 use crate::skeleton::{SiteId, SiteShape};
 use crate::tolerance::pairwise::{ATTEMPTS, PERTURBATION, WELD};
+use crate::tolerance::{CHORDS, CHORDS_SHARE};
+use chords::Fineness;
 use element::Element;
 use raw::RawCurves;
 use walls::Walls;
@@ -73,9 +75,10 @@ pub struct PairwiseOffset {
 pub struct PairwiseEngine;
 
 impl PairwiseEngine {
-    /// How far the chords that stand for a region's arcs may lie from them at offset distance `d`, mm.
+    /// How far the chords that stand for a region's arcs may lie from them at offset distance `d`, mm. Where a channel is about as wide as a
+    /// tool of that radius, they lie within half of [`degenerate_slack`].
     pub fn chord_tolerance(d: f64) -> f64 {
-        0.5 * degenerate_slack(d)
+        CHORDS.min(CHORDS_SHARE * d)
     }
 
     /// The offsets with their interfering ranges, in the order asked.
@@ -89,7 +92,8 @@ impl PairwiseEngine {
     /// The region with chords for arcs, within the tolerance for offsets at distance `d` (mm) and nowhere larger; `None` where
     /// it has no arcs.
     pub fn straightened(region: &Region, d: f64) -> Option<Region> {
-        chords::chorded(region, Self::chord_tolerance(d))
+        let fineness = Fineness { radius: d, fine: 0.5 * degenerate_slack(d), coarse: Self::chord_tolerance(d) };
+        chords::chorded(region, fineness)
     }
 }
 

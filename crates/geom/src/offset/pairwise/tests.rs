@@ -1,4 +1,6 @@
 use super::PairwiseEngine;
+use super::chords::{self, Fineness};
+use super::{PairwiseOffsetter, degenerate_slack};
 use crate::contour::Contour;
 use crate::distance::Boundary;
 use crate::offset::{Degenerate, OffsetEngine, OffsetError, OffsetOptions, VoronoiEngine};
@@ -82,6 +84,20 @@ fn arcs_become_chords_within_the_tolerance() {
     assert!(pairwise < exact && exact - pairwise < most, "{pairwise} {exact}");
 }
 
+/// Chords narrow a channel, so they are fine where it is just as wide as the tool, and coarse where it is wider.
+#[test]
+fn a_bent_channel_just_as_wide_as_the_tool_has_room_for_it() {
+    for (width, chords) in [(2.0, 1200..2400), (2.5, 200..600)] {
+        let (inner, outer) = (20.0 - 0.5 * width, 20.0 + 0.5 * width);
+        let cap = if width > 2.0 { 0.0 } else { 1.0 };
+        let channel = vec![[outer, 0.0, 1.0], [-outer, 0.0, cap], [-inner, 0.0, -1.0], [inner, 0.0, cap]];
+        let straight = PairwiseEngine::straightened(&region(&[channel]), 1.0).unwrap();
+        assert!(chords.contains(&straight.edge_count()), "{width}: {} chords", straight.edge_count());
+        let offset = PairwiseOffsetter::new(&straight).offset(1.0 - degenerate_slack(1.0)).unwrap();
+        assert_eq!(offset.loops.len(), 1, "{width}");
+    }
+}
+
 #[test]
 fn what_it_cannot_do_is_refused() {
     let region = region(&[square(10.0)]);
@@ -157,9 +173,10 @@ fn bends_nearly_twice_as_wide_as_the_distance_do_not_contradict_themselves() {
         [-0.080_942_33, 125.115_005_235, -0.991_912_437_482],
     ];
     let region = region(&[serpentine]);
-    let found = PairwiseEngine.with_ranges(&region, &[0.105, 1.650_579]).unwrap();
+    let straight = chords::chorded(&region, Fineness { radius: 1.650_579, fine: 5e-6, coarse: 5e-6 }).unwrap();
+    let found = PairwiseOffsetter::new(&straight).offset(1.650_579).unwrap();
     let walls = Boundary::new(&region);
-    let segments = found[1].offset.loops.iter().flat_map(|l| &l.contour.segments);
+    let segments = found.loops.iter().flat_map(|l| &l.contour.segments);
     assert!(segments.clone().count() > 0);
     for s in segments {
         assert!((walls.signed_distance(s.at(0.5)) - 1.650_579).abs() < 1e-5, "{s:?}");
