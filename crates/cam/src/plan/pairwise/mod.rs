@@ -6,7 +6,8 @@
 //! 3. What stays uncut is found in the interfering ranges of the offsets (`ranges`); the paths to it are made as for the
 //!    exact engine ([`super::cleanup`]), and what they leave is cut by detours straight away from walls (`cover`).
 //! 4. Order, side-steps and moves are those of tool path I ([`super::order`]). Between the loops of one area the tool takes
-//!    a straight way that is clear of the walls, or lifts (`across`). It ramps in along its first loop.
+//!    a straight way that is clear of the walls, or lifts (`across`). It ramps in along its first loop. Loops along chords of arcs become
+//!    few arcs again.
 //!
 //! The first loops lie nearer to the walls than the tool's radius by what a channel may be narrower than the tool: so
 //! channels just as wide as it need no paths of their own.
@@ -23,12 +24,16 @@ mod ranges;
 use super::order::Orderer;
 use super::{MOST_LEVELS, Plan, PlanError, Strategy, clamped_stepover, cleanup, moves};
 use crate::job::PocketJob;
+use crate::link::fitted;
 use across::StraightWays;
-use pocketry_geom::Region;
 use pocketry_geom::offset::{Offset, OffsetError, PairwiseEngine, PairwiseOffsetter, degenerate_slack};
+use pocketry_geom::{Arc, Region, Segment};
 
 /// Halvings of the search for the largest tool that fits.
 const HALVINGS: usize = 40;
+
+/// How far arcs of a loop may lie from its chords, as a share of how far those may lie from arcs of the region.
+const FIT_SHARE: f64 = 0.25;
 
 /// How often an offset that contradicts itself is tried at another distance.
 const SHIFTS: u32 = 8;
@@ -73,10 +78,24 @@ pub fn plan_pairwise(region: &Region, job: &PocketJob) -> Result<Plan, PlanError
         cover::complete(&mut gathered, &found.grounds, &offsetter, &orderer, radius);
         cleanups = cleanup::add(&mut levels, gathered, radius);
     }
-    let chains = Orderer::new(&ways, &levels).chains();
+    let mut chains = Orderer::new(&ways, &levels).chains();
+    if straight.is_some() {
+        let tolerance = FIT_SHARE * PairwiseEngine::chord_tolerance(radius);
+        chains.iter_mut().flat_map(|c| &mut c.steps).for_each(|s| s.cut.segments = rounded(&s.cut.segments, tolerance));
+    }
     let mut plan = moves::write(&levels, &chains, job, first);
     warnings.append(&mut plan.warnings);
     Ok(Plan { strategy: Strategy::Contour, warnings, stepover, cleanups, ..plan })
+}
+
+/// A loop along chords of arcs with few arcs again. What rises above its chord by less than the tolerance counts as that.
+fn rounded(cut: &[Segment], tolerance: f64) -> Vec<Segment> {
+    let height = |a: &Arc| a.radius * (1.0 - (0.5 * a.sweep()).cos());
+    let flat = |s: &Segment| match s {
+        Segment::Arc(a) if a.sweep().abs() < 1.0 && height(a) < tolerance => Segment::line(a.start, a.end),
+        _ => *s,
+    };
+    fitted(&cut.iter().map(flat).collect::<Vec<_>>(), tolerance)
 }
 
 /// The offsets at the first distance and in steps of the stepover, as long as there are loops. Where an offset contradicts
