@@ -1,5 +1,5 @@
 use super::*;
-use pocketry_geom::offset::{Offset, PairwiseEngine};
+use pocketry_geom::offset::Offset;
 use pocketry_geom::{Contour, Region};
 use pocketry_testkit::shapes;
 
@@ -7,10 +7,9 @@ use pocketry_testkit::shapes;
 fn stretches_about_a_circle_are_not_refined_for_ever() {
     // All fibres of a circle end at its centre, but for rounding along them: stretches were halved again and again.
     let (radius, stepover) = (0.2, 0.392);
-    let circle = Contour::from_vertices(&shapes::circle(0.45, [0.0, 0.0]));
+    let circle = Contour::from_vertices(&shapes::ngon(470, 0.45, [0.0, 0.0]));
     let circle = Region::from_parts_unchecked(vec![circle], vec![None]);
-    let straight = PairwiseEngine::straightened(&circle, radius).unwrap();
-    let offsetter = PairwiseOffsetter::new(&straight);
+    let offsetter = PairwiseOffsetter::new(&circle);
     let stray = 0.5 * degenerate_slack(radius) + STRAY_SHARE * (2.0 * radius - stepover);
     let (low, high) = (2.0 * radius, radius + stepover);
     let range = Range { fibres: Fibres::new(&offsetter, low, high), radius: trusted(radius), stray };
