@@ -85,7 +85,7 @@ impl Chords {
             let outwards = (p - part.center) / part.radius;
             let inwards = if part.ccw { -outwards } else { outwards };
             let meets = |radius: f64, by: f64| self.walls.nearest_within(p + inwards * radius, radius - by).is_some();
-            !meets((1.0 - ABOUT) * radius, slack) && meets((1.0 + ABOUT) * radius, 1e-3 * slack)
+            !meets((1.0 - ABOUT) * radius, slack) && meets((1.0 + ABOUT) * radius, slack)
         })
     }
 }
