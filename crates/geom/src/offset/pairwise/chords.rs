@@ -9,6 +9,7 @@ use crate::index::SegmentIndex;
 use crate::point::Point;
 use crate::region::Region;
 use crate::segment::{Arc, Segment};
+use crate::tolerance::skeleton::CUSP;
 use std::f64::consts::FRAC_PI_3;
 
 /// How far disks of about the tool's radius may be from it, as a share.
@@ -42,10 +43,15 @@ struct Chords {
 impl Chords {
     fn straight(&self, contour: &Contour) -> Contour {
         let mut points = Vec::new();
-        for s in &contour.segments {
+        let segments = &contour.segments;
+        for (k, s) in segments.iter().enumerate() {
+            let begun = points.len();
             match s {
                 Segment::Line(l) => points.push(l.start),
                 Segment::Arc(a) => self.add(a, &mut points),
+            }
+            if is_thorn(&segments[if k == 0 { segments.len() } else { k } - 1], s) {
+                points.remove(begun);
             }
         }
         points.dedup();
@@ -88,6 +94,13 @@ impl Chords {
             !meets((1.0 - ABOUT) * radius, slack) && meets((1.0 + ABOUT) * radius, slack)
         })
     }
+}
+
+/// Whether the pocket ends between two tangent curves, at a corner of no angle. The chords of one that bends away lie on the other's tangent there and
+/// would enclose a thorn of no width.
+fn is_thorn(before: &Segment, after: &Segment) -> bool {
+    let (u, v) = (before.end_tangent(), after.start_tangent());
+    u.dot(v) < 0.0 && u.cross(v).abs() < CUSP && before.curvature() + after.curvature() < 0.0
 }
 
 /// How many chords within a tolerance an arc needs.

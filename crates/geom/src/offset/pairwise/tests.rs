@@ -98,6 +98,25 @@ fn a_bent_channel_just_as_wide_as_the_tool_has_room_for_it() {
     }
 }
 
+/// Of an icon: the pocket ends between a line and an arc tangent to it, whose chords come back along the line.
+#[test]
+fn a_pocket_that_ends_in_a_cusp_is_offset() {
+    let cusp =
+        [[0.0, 10.0, 0.0], [10.0, 10.0, -1.0], [10.0, 4.0, 0.0], [30.0, 4.0, 0.0], [30.0, 25.0, 0.0], [0.0, 25.0, 0.0]];
+    let mirrored = cusp.iter().map(|&[x, y, bulge]| [x, -y, -bulge]).collect();
+    for outline in [cusp.to_vec(), mirrored] {
+        let region = region(&[outline]);
+        let walls = Boundary::new(&region);
+        for d in [0.5, 2.0, 4.0] {
+            let found = PairwiseEngine.offsets(&region, &[d], &OffsetOptions::default()).unwrap().remove(0);
+            assert_eq!(found.loops.len(), 1, "{d}");
+            for s in &found.loops[0].contour.segments {
+                assert!((walls.signed_distance(s.at(0.5)) - d).abs() <= PairwiseEngine::chord_tolerance(d), "{d}");
+            }
+        }
+    }
+}
+
 #[test]
 fn what_it_cannot_do_is_refused() {
     let region = region(&[square(10.0)]);
