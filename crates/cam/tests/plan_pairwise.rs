@@ -184,3 +184,49 @@ fn an_island_in_a_star_leaves_nothing() {
     ];
     assert_nothing_is_left(&[&star, &[[-0.6, -1.8], [-3.1, -3.1], [-3.5, 0.3]]], 2.4);
 }
+
+/// A tipper lorry: clean-up paths moved the places from which ways between loops were tried, and with them the lifts.
+#[test]
+fn clean_up_paths_make_no_lifts() {
+    let (wheel, hub) = (0.414_213_562, -0.414_213_562);
+    let lorry = region(&[
+        &[
+            [83.333, 66.667, 0.0],
+            [62.5, 66.667, 0.0],
+            [62.5, 41.667, 0.0],
+            [8.333, 41.667, 0.0],
+            [8.333, 29.167, 0.0],
+            [12.5, 29.167, wheel],
+            [25.0, 16.667, wheel],
+            [37.5, 29.167, 0.0],
+            [62.5, 29.167, wheel],
+            [75.0, 16.667, wheel],
+            [87.5, 29.167, 0.0],
+            [95.833, 29.167, 0.0],
+            [95.833, 50.0, 0.0],
+        ],
+        &[[25.0, 22.917, hub], [18.75, 29.167, hub], [25.0, 35.417, hub], [31.25, 29.167, hub]],
+        &[[75.0, 22.917, hub], [68.75, 29.167, hub], [75.0, 35.417, hub], [81.25, 29.167, hub]],
+        &[[70.833, 50.0, 0.0], [70.833, 60.417, 0.0], [81.25, 60.417, 0.0], [89.417, 50.0, 0.0]],
+        &[
+            [75.0, 70.833, 0.0],
+            [58.333, 70.833, 0.0],
+            [58.333, 45.833, 0.0],
+            [12.5, 45.833, 0.0],
+            [6.542, 66.667, 0.0],
+            [4.167, 66.667, 0.0],
+            [4.167, 75.0, 0.0],
+            [54.167, 75.0, 0.0],
+            [58.333, 79.167, 0.0],
+            [75.0, 79.167, 0.0],
+        ],
+    ]);
+    for diameter in [1.6, 1.7, 1.8332, 2.0, 2.2] {
+        let job = PocketJob { stepover: 0.98 * diameter, ..PocketJob::for_diameter(diameter) };
+        let lifts = [true, false].map(|cleanup| {
+            let plan = plan_pairwise(&lorry, &PocketJob { cleanup, ..job.clone() }).unwrap();
+            plan.groups.len()
+        });
+        assert_eq!(lifts[0], lifts[1], "{diameter}");
+    }
+}

@@ -1,10 +1,11 @@
 //! Straight ways between the loops of an area.
 
-use crate::plan::Landing;
 use crate::plan::levels::Area;
 use crate::plan::order::{Orderer, Step};
+use crate::plan::track::{Landing, Track};
 use crate::plan::ways::{Summit, Way, Ways};
 use pocketry_geom::offset::{PairwiseOffsetter, degenerate_slack};
+use pocketry_geom::skeleton::{NONE, SiteId};
 use pocketry_geom::{BBox, Segment};
 use std::cell::OnceCell;
 use std::collections::BTreeSet;
@@ -41,7 +42,8 @@ impl Ways for StraightWays<'_> {
         let from = &last.cut.segments;
         let distance = orderer.levels.tracks[last.track as usize].distance;
         let free = distance - degenerate_slack(distance);
-        let (own, boxes) = (bbox(from), self.boxes.get_or_init(|| boxes(orderer)));
+        let starts = own_starts(&last.cut.sites);
+        let (own, boxes) = (bbox(from, &starts), self.boxes.get_or_init(|| boxes(orderer)));
         let mut by_gap: Vec<(f64, u32)> = left.iter().map(|&track| (gap(own, boxes[track as usize]), track)).collect();
         by_gap.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         let mut tried: Vec<(f64, usize, Landing)> = Vec::new();
@@ -49,12 +51,14 @@ impl Ways for StraightWays<'_> {
             if tried.get(TRIED - 1).is_some_and(|farthest| gap > farthest.0) {
                 break;
             }
-            let segments = &orderer.levels.tracks[track as usize].segments;
-            for k in (0..from.len()).step_by(from.len().div_ceil(TRIED)) {
+            let Track { segments, sites, .. } = &orderer.levels.tracks[track as usize];
+            let places = own_starts(sites);
+            for &k in starts.iter().step_by(starts.len().div_ceil(TRIED).max(1)) {
                 let p = from[k].start();
-                let places = (0..segments.len()).step_by(segments.len().div_ceil(TRIED));
-                let landings = places.map(|segment| Landing { track, segment, point: segments[segment].start() });
-                let nearest = landings.min_by(|a, b| a.point.distance(p).total_cmp(&b.point.distance(p)))?;
+                let some = places.iter().step_by(places.len().div_ceil(TRIED).max(1));
+                let landings = some.map(|&segment| Landing { track, segment, point: segments[segment].start() });
+                let nearest = landings.min_by(|a, b| a.point.distance(p).total_cmp(&b.point.distance(p)));
+                let Some(nearest) = nearest else { continue };
                 tried.push((nearest.point.distance(p), k, nearest));
             }
             tried.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -71,13 +75,21 @@ impl Ways for StraightWays<'_> {
     }
 }
 
+/// Segments of a loop at whose starts a wall's part of it begins: clean-up paths, and where they leave, make no difference, so that a plan lifts
+/// the tool where it does without them.
+fn own_starts(sites: &[SiteId]) -> Vec<usize> {
+    let mut before = NONE;
+    let mut begins = |&(_, &site): &(usize, &SiteId)| site != NONE && std::mem::replace(&mut before, site) != site;
+    sites.iter().enumerate().filter(&mut begins).map(|(k, _)| k).collect()
+}
+
 fn boxes(orderer: &Orderer<'_>) -> Vec<BBox> {
-    orderer.levels.tracks.iter().map(|t| bbox(&t.segments)).collect()
+    orderer.levels.tracks.iter().map(|t| bbox(&t.segments, &own_starts(&t.sites))).collect()
 }
 
 /// The box of the starts of some segments.
-fn bbox(segments: &[Segment]) -> BBox {
-    segments.iter().fold(BBox::EMPTY, |b, s| b.with(s.start()))
+fn bbox(segments: &[Segment], some: &[usize]) -> BBox {
+    some.iter().fold(BBox::EMPTY, |b, &k| b.with(segments[k].start()))
 }
 
 /// How far two boxes are from one another at least, mm.
