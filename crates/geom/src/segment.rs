@@ -113,6 +113,11 @@ impl Arc {
         (self.sweep() / 4.0).tan()
     }
 
+    /// How far its middle lies from its chord, for arcs of less than a full turn.
+    pub fn height(&self) -> f64 {
+        0.5 * self.start.distance(self.end) * self.bulge().abs()
+    }
+
     /// Whether the direction `from_center` points into the arc's closed angular range.
     #[inline]
     pub fn spans(&self, from_center: Vec2) -> bool {

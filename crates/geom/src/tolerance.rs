@@ -133,14 +133,14 @@ pub const CROSSING: f64 = 1e-9;
 /// rounding of drawings with four decimals moves a wall.
 pub const FIT_SLACK: f64 = 1e-4;
 
+/// [`FIT_SLACK`] as a share of the offset distance, for tools so small that it would count.
+pub const FIT_SLACK_SHARE: f64 = 1e-4;
+
 /// How far chords may lie from the arcs that they stand for in pair-wise offsets, mm: a quarter of [`GOUGE`], which the proof leaves at walls.
 pub const CHORDS: f64 = 5e-4;
 
 /// [`CHORDS`] as a share of the offset distance, for tools so small that it would count.
 pub const CHORDS_SHARE: f64 = 2.5e-3;
-
-/// [`FIT_SLACK`] as a share of the offset distance, for tools so small that it would count.
-pub const FIT_SLACK_SHARE: f64 = 1e-4;
 
 /// Ends of degenerate paths shorter than this share of the offset distance are left out: the disk at their root covers
 /// their disks but for slivers thinner than what may stay uncut.

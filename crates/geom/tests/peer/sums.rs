@@ -4,7 +4,7 @@
 use crate::corpus::{FAMILIES, is_wanted};
 use crate::peer::Grid;
 use pocketry_geom::offset::morphology::eroded;
-use pocketry_geom::{Contour, Point, Region, Segment};
+use pocketry_geom::{Contour, Point, Region};
 use pocketry_testkit::corpus::{Record, read, region as build, shared};
 use pocketry_testkit::shapes;
 
@@ -14,23 +14,16 @@ const NESTING: f64 = 1e-6;
 /// How far chords may lie from arcs, as a share of the region's size.
 const FLATTENING: f64 = 1e-4;
 
-/// How many chords stand for a segment.
-fn chords(s: &Segment, height: f64) -> usize {
-    match s {
-        Segment::Line(_) => 1,
-        Segment::Arc(a) => (a.sweep().abs() * (a.radius / (8.0 * height)).sqrt()).ceil().max(2.0) as usize,
-    }
-}
-
 /// A record's region with chords in place of arcs.
 fn flattened(record: &Record) -> Option<Region> {
     let region = build(&record.loops).ok()?;
     let height = FLATTENING * region.bbox().size();
-    let points = |s: &Segment| {
-        let n = chords(s, height);
-        (0..n).map(|k| s.at(k as f64 / n as f64)).map(|p| [p.x, p.y, 0.0]).collect::<Vec<_>>()
+    let vertices = |c: &Contour| {
+        let mut points = Vec::new();
+        c.segments.iter().for_each(|s| s.flatten(height, &mut points));
+        points.iter().map(|p| [p.x, p.y, 0.0]).collect()
     };
-    let loops = region.contours().iter().map(|c| c.segments.iter().flat_map(points).collect()).collect();
+    let loops = region.contours().iter().map(vertices).collect();
     build(&loops).ok()
 }
 

@@ -1,8 +1,8 @@
 //! Straight ways between the loops of an area.
 
+use crate::plan::Landing;
 use crate::plan::levels::Area;
 use crate::plan::order::{Orderer, Step};
-use crate::plan::track::{Landing, Track};
 use crate::plan::ways::{Summit, Way, Ways};
 use pocketry_geom::offset::{PairwiseOffsetter, degenerate_slack};
 use pocketry_geom::skeleton::{NONE, SiteId};
@@ -17,13 +17,13 @@ const TRIED: usize = 64;
 pub(super) struct StraightWays<'a> {
     offsetter: &'a PairwiseOffsetter<'a>,
     size: f64,
-    /// Of the starts of each track's segments, found when first asked for.
-    boxes: OnceCell<Vec<BBox>>,
+    /// For each track where parts of it begin, and their box; found when first asked for.
+    starts: OnceCell<Vec<(Vec<usize>, BBox)>>,
 }
 
 impl<'a> StraightWays<'a> {
     pub(super) fn new(offsetter: &'a PairwiseOffsetter<'a>) -> Self {
-        Self { offsetter, size: offsetter.size(), boxes: OnceCell::new() }
+        Self { offsetter, size: offsetter.size(), starts: OnceCell::new() }
     }
 }
 
@@ -42,17 +42,20 @@ impl Ways for StraightWays<'_> {
         let from = &last.cut.segments;
         let distance = orderer.levels.tracks[last.track as usize].distance;
         let free = distance - degenerate_slack(distance);
-        let starts = own_starts(&last.cut.sites);
-        let (own, boxes) = (bbox(from, &starts), self.boxes.get_or_init(|| boxes(orderer)));
-        let mut by_gap: Vec<(f64, u32)> = left.iter().map(|&track| (gap(own, boxes[track as usize]), track)).collect();
+        let (starts, own) = own_starts(from, &last.cut.sites);
+        let all = self.starts.get_or_init(|| {
+            let tracks = &orderer.levels.tracks;
+            tracks.iter().map(|t| own_starts(&t.segments, &t.sites)).collect()
+        });
+        let mut by_gap: Vec<(f64, u32)> = left.iter().map(|&track| (gap(own, all[track as usize].1), track)).collect();
         by_gap.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         let mut tried: Vec<(f64, usize, Landing)> = Vec::new();
         for (gap, track) in by_gap {
             if tried.get(TRIED - 1).is_some_and(|farthest| gap > farthest.0) {
                 break;
             }
-            let Track { segments, sites, .. } = &orderer.levels.tracks[track as usize];
-            let places = own_starts(sites);
+            let segments = &orderer.levels.tracks[track as usize].segments;
+            let places = &all[track as usize].0;
             for &k in starts.iter().step_by(starts.len().div_ceil(TRIED).max(1)) {
                 let p = from[k].start();
                 let some = places.iter().step_by(places.len().div_ceil(TRIED).max(1));
@@ -75,21 +78,14 @@ impl Ways for StraightWays<'_> {
     }
 }
 
-/// Segments of a loop at whose starts a wall's part of it begins: clean-up paths, and where they leave, make no difference, so that a plan lifts
-/// the tool where it does without them.
-fn own_starts(sites: &[SiteId]) -> Vec<usize> {
+/// Segments of a loop at whose starts a wall's part of it begins, and the box of these: clean-up paths, and where they leave, make no
+/// difference, so that a plan lifts the tool where it does without them.
+fn own_starts(segments: &[Segment], sites: &[SiteId]) -> (Vec<usize>, BBox) {
     let mut before = NONE;
     let mut begins = |&(_, &site): &(usize, &SiteId)| site != NONE && std::mem::replace(&mut before, site) != site;
-    sites.iter().enumerate().filter(&mut begins).map(|(k, _)| k).collect()
-}
-
-fn boxes(orderer: &Orderer<'_>) -> Vec<BBox> {
-    orderer.levels.tracks.iter().map(|t| bbox(&t.segments, &own_starts(&t.sites))).collect()
-}
-
-/// The box of the starts of some segments.
-fn bbox(segments: &[Segment], some: &[usize]) -> BBox {
-    some.iter().fold(BBox::EMPTY, |b, &k| b.with(segments[k].start()))
+    let starts: Vec<usize> = sites.iter().enumerate().filter(&mut begins).map(|(k, _)| k).collect();
+    let bbox = starts.iter().fold(BBox::EMPTY, |b, &k| b.with(segments[k].start()));
+    (starts, bbox)
 }
 
 /// How far two boxes are from one another at least, mm.

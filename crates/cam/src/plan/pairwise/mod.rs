@@ -27,7 +27,7 @@ use crate::job::PocketJob;
 use crate::link::fitted;
 use across::StraightWays;
 use pocketry_geom::offset::{Offset, OffsetError, PairwiseEngine, PairwiseOffsetter, degenerate_slack};
-use pocketry_geom::{Arc, Region, Segment};
+use pocketry_geom::{Region, Segment};
 
 /// Halvings of the search for the largest tool that fits.
 const HALVINGS: usize = 40;
@@ -90,9 +90,8 @@ pub fn plan_pairwise(region: &Region, job: &PocketJob) -> Result<Plan, PlanError
 
 /// A loop along chords of arcs with few arcs again. What rises above its chord by less than the tolerance counts as that.
 fn rounded(cut: &[Segment], tolerance: f64) -> Vec<Segment> {
-    let height = |a: &Arc| a.radius * (1.0 - (0.5 * a.sweep()).cos());
     let flat = |s: &Segment| match s {
-        Segment::Arc(a) if a.sweep().abs() < 1.0 && height(a) < tolerance => Segment::line(a.start, a.end),
+        Segment::Arc(a) if a.sweep().abs() < 1.0 && a.height() < tolerance => Segment::line(a.start, a.end),
         _ => *s,
     };
     fitted(&cut.iter().map(flat).collect::<Vec<_>>(), tolerance)

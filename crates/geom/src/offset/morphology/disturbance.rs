@@ -83,7 +83,7 @@ impl Disturbance {
 
 /// Whether an arc is hardly more than its chord: no higher than `height`.
 fn is_flat(s: &Segment, height: f64) -> bool {
-    matches!(s, Segment::Arc(_)) && 0.5 * (s.end() - s.start()).length() * s.bulge().abs() <= height
+    matches!(s, Segment::Arc(a) if a.start != a.end && a.height() <= height)
 }
 
 /// A segment with the same bulge between other ends; arcs of more than half a turn as halves.

@@ -7,6 +7,7 @@ use crate::offset::{OffsetOptions, morphology::eroded};
 use crate::point::point;
 use crate::profile::convex_sum;
 use crate::repair::{RepairOptions, build};
+use crate::segment::Arc;
 use crate::skeleton::Skeleton;
 use clipper2_rust::clipper::{difference_64, union_64, xor_64};
 use clipper2_rust::core::{FillRule, Paths64, Point64, area};
@@ -170,6 +171,15 @@ fn arcs_that_are_hardly_more_than_their_chords_are_lines() {
             assert!(off.abs() < 1e-7, "{turn}: off by {off} at {:?}", s.at(0.5));
         }
     }
+}
+
+#[test]
+fn a_circle_of_a_single_arc_is_no_flat_one() {
+    let (start, center) = (point(10.0, 0.0), Point::ORIGIN);
+    let whole = Contour::new(vec![Segment::Arc(Arc { start, end: start, center, radius: 10.0, ccw: true })]);
+    let region = Region::from_parts_unchecked(vec![whole], vec![None]);
+    let places = eroded(&region, &profile(&shapes::circle(3.0, [0.0; 2])), Point::ORIGIN).unwrap();
+    assert!((places.area() - std::f64::consts::PI * 49.0).abs() < 1e-4, "{}", places.area());
 }
 
 /// Of a glyph: an edge that slides over the joint of two arcs leaves the second one, very flat, by a hundred-millionth of a millimetre.
