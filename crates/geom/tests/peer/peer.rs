@@ -3,10 +3,11 @@
 //! Where edges are far shorter than the distance, the peer's raw curve crosses itself a billion times. There the strips and mitres that the raw
 //! curve goes round are united by the peer instead, neighbours first, so that nearly all crossings are gone before they meet.
 
-use clipper2_rust::clipper::{difference_64, inflate_paths_64, union_64, union_subjects_64};
-use clipper2_rust::core::{FillRule, Path64, Paths64, Point64};
+use clipper2_rust::clipper::{difference_64, inflate_paths_64, rect_clip_64, union_64, union_subjects_64};
+use clipper2_rust::core::{FillRule, Path64, Paths64, Point64, Rect64};
 use clipper2_rust::minkowski::minkowski_sum;
 use clipper2_rust::offset::{EndType, JoinType};
+use pocketry_geom::index::SegmentIndex;
 use pocketry_geom::offset::Offset;
 use pocketry_geom::{BBox, Contour, Point, Region, Segment, point};
 
@@ -15,6 +16,9 @@ const STEPS: f64 = 1e9;
 
 /// What is no wider than this many steps of the grid is rounding.
 const ROUNDING: f64 = 4.0;
+
+/// Windows are halved until they have no more walls nearby than this.
+const FEW: usize = 1000;
 
 /// A grid over a region.
 pub(crate) struct Grid {
@@ -51,12 +55,12 @@ impl Grid {
     /// The same, put together from strips and mitres.
     pub(crate) fn inwards_by_parts(&self, region: &Region, distance: f64, limit: f64) -> Paths64 {
         let parts = region.contours().iter().flat_map(|c| strips_and_mitres(c, distance, limit));
-        self.without(region, parts.map(|p| vec![self.path(p.into_iter())]).collect())
+        without(&self.region(region), parts.map(|p| vec![self.path(p.into_iter())]).collect())
     }
 
-    /// The places of a convex polygon, with its reference point at the origin, in a region of lines: what the polygon reflected does not reach
-    /// from any edge.
-    pub(crate) fn places(&self, region: &Region, polygon: &[Point]) -> Paths64 {
+    /// The places in a window of a convex polygon, with its reference point at the origin, among walls of lines: what the polygon reflected
+    /// does not reach from any edge.
+    pub(crate) fn places(&self, walls: &Walls, polygon: &[Point], window: BBox) -> Paths64 {
         let turned = polygon.iter().map(|p| p.to_vec() * -self.scale);
         let pattern: Path64 = turned.map(|v| Point64::new(v.x.round() as i64, v.y.round() as i64)).collect();
         let reach = |s: &Segment| {
@@ -67,16 +71,15 @@ impl Grid {
             reached.push(at_start);
             reached
         };
-        self.without(region, region.segments().map(reach).collect())
+        let far = polygon.iter().map(|p| p.to_vec().length()).fold(0.0, f64::max);
+        let near = walls.near(window, far);
+        without(&self.within(&walls.paths, window), near.iter().map(reach).collect())
     }
 
-    /// A region without parts, which are in such an order that neighbours lie near one another.
-    fn without(&self, region: &Region, mut unions: Vec<Paths64>) -> Paths64 {
-        while unions.len() > 1 {
-            unions = unions.chunks(2).map(united).collect();
-        }
-        let swept = unions.pop().unwrap_or_default();
-        difference_64(&self.region(region), &swept, FillRule::NonZero)
+    /// What lies in a window.
+    pub(crate) fn within(&self, paths: &Paths64, window: BBox) -> Paths64 {
+        let corners = self.path([window.min, window.max].into_iter());
+        rect_clip_64(&Rect64::new(corners[0].x, corners[0].y, corners[1].x, corners[1].y), paths)
     }
 
     /// A point in each part of the first that is not in the second.
@@ -85,6 +88,61 @@ impl Grid {
         let back = |p: Point| self.origin + (p - Point::ORIGIN) / self.scale;
         parts.iter().filter(|p| is_wide(p)).filter_map(|p| middle(p)).map(back).collect()
     }
+}
+
+/// The walls of a region, and those near a window.
+pub(crate) struct Walls {
+    segments: Vec<Segment>,
+    index: SegmentIndex,
+    paths: Paths64,
+    bbox: BBox,
+}
+
+impl Walls {
+    pub(crate) fn new(region: &Region, grid: &Grid) -> Self {
+        let segments: Vec<Segment> = region.segments().copied().collect();
+        Self { index: SegmentIndex::new(&segments), segments, paths: grid.region(region), bbox: region.bbox() }
+    }
+
+    /// In the region's order.
+    fn near(&self, window: BBox, far: f64) -> Vec<Segment> {
+        let mut found = Vec::new();
+        self.index.visit(window, far, |k, _| found.push(k));
+        found.sort_unstable();
+        found.into_iter().map(|k| self.segments[k]).collect()
+    }
+
+    /// Windows that make up the region's box, each with few walls nearer than `far`, or no larger than that.
+    pub(crate) fn windows(&self, far: f64) -> Vec<BBox> {
+        let (mut windows, mut rest) = (Vec::new(), vec![self.bbox]);
+        while let Some(window) = rest.pop() {
+            if window.size() <= far || self.near(window, far).len() <= FEW {
+                windows.push(window);
+            } else {
+                rest.extend(halves(window));
+            }
+        }
+        windows
+    }
+}
+
+/// Halved across its longer side.
+fn halves(window: BBox) -> [BBox; 2] {
+    let c = window.center();
+    let corner = if window.width() > window.height() {
+        [point(c.x, window.max.y), point(c.x, window.min.y)]
+    } else {
+        [point(window.max.x, c.y), point(window.min.x, c.y)]
+    };
+    [BBox { max: corner[0], ..window }, BBox { min: corner[1], ..window }]
+}
+
+/// Something without parts, which are in such an order that neighbours lie near one another.
+fn without(paths: &Paths64, mut unions: Vec<Paths64>) -> Paths64 {
+    while unions.len() > 1 {
+        unions = unions.chunks(2).map(united).collect();
+    }
+    difference_64(paths, &unions.pop().unwrap_or_default(), FillRule::NonZero)
 }
 
 /// Whether a part is wider than the rounding of its corners: parts that share an edge leave slits of a step or two. Holes, which run the other

@@ -2,7 +2,7 @@
 //! the region's complement and the reflected polygon.
 
 use crate::corpus::{FAMILIES, is_wanted};
-use crate::peer::Grid;
+use crate::peer::{Grid, Walls};
 use pocketry_geom::offset::morphology::eroded;
 use pocketry_geom::{Contour, Point, Region};
 use pocketry_testkit::corpus::{Record, read, region as build, shared};
@@ -43,11 +43,18 @@ fn compare(region: &Region, (polygon, reach): &(Vec<[f64; 3]>, f64)) -> Vec<Stri
     let grid = Grid::new(region.bbox());
     let step = NESTING * region.bbox().size() / reach;
     let scaled = |share: f64| polygon.iter().map(|v| Point { x: share * v[0], y: share * v[1] }).collect::<Vec<_>>();
-    let ours = grid.region(&places);
-    let too_many = grid.excess(&ours, &grid.places(region, &scaled(1.0 - step)));
-    let missing = grid.excess(&grid.places(region, &scaled(1.0 + step)), &ours);
-    let many = too_many.iter().map(|p| format!("places too many at {p:?}"));
-    many.chain(missing.iter().map(|p| format!("places missing at {p:?}"))).collect()
+    let [smaller, larger] = [1.0 - step, 1.0 + step].map(scaled);
+    let far = larger.iter().map(|p| p.to_vec().length()).fold(0.0, f64::max);
+    let (walls, all) = (Walls::new(region, &grid), grid.region(&places));
+    let mut wrong = Vec::new();
+    for window in walls.windows(far) {
+        let ours = grid.within(&all, window);
+        let too_many = grid.excess(&ours, &grid.places(&walls, &smaller, window));
+        let missing = grid.excess(&grid.places(&walls, &larger, window), &ours);
+        wrong.extend(too_many.iter().map(|p| format!("places too many at {p:?}")));
+        wrong.extend(missing.iter().map(|p| format!("places missing at {p:?}")));
+    }
+    wrong
 }
 
 #[test]
