@@ -11,9 +11,14 @@
 //! 2. A wall can begin or cease to enter the profile only where an end of one comes upon the other, or two curves become tangent:
 //!    crossings of lines and arcs, in closed form ([`Motion::marks`]).
 //! 3. Between two successive ones the middle decides (`CollideSE` of the paper's algorithm 1, with an index to find the walls).
-//! 4. What is free makes *runs*. At a corner a run goes on where the profile can turn on the spot, by the same test; else it ends.
+//! 4. Where the profile does not fit at the touching distance it goes as near to the wall as it does (`nearest`).
+//! 5. What is free makes *runs*. At a corner a run goes on where the profile can back off and turn on the spot, by the same test (`joints`); else it
+//!    ends.
 //!
-//! There is no step, and so no error of one. Departure from the paper: what collides is not a lost sample but the exact end of a run.
+//! Apart from 4 there is no step, and so no error of one. Departure from the paper: what collides is not a lost sample but the exact end of a run.
+
+mod joints;
+mod nearest;
 
 use super::ToolProfile;
 use crate::bbox::BBox;
@@ -24,7 +29,7 @@ use crate::point::{Point, Vec2, point, vec2};
 use crate::region::Region;
 use crate::segment::{Arc, Segment};
 use crate::tolerance::profile::{ENTERED, PARALLEL, SMOOTH_TURN};
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 /// A piece of path with the profile's direction at its ends: linear in the length between, as a rotary axis follows.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -104,10 +109,12 @@ impl<'a> Turning<'a> {
         self.touch
     }
 
-    /// The runs on which the profile follows the walls of a region: with its distance to spare, and in channels too narrow for that, touching.
+    /// The runs on which the profile follows the walls of a region: with its distance to spare or, where it does not fit so near to them, as
+    /// near as it does; and in channels too narrow for that, touching.
     pub fn wall_runs(&self, region: &Region) -> Vec<Run> {
         let of_contour = |c: &Contour| {
-            let mut runs = self.runs(&self.beside(&c.segments, self.touch + self.spare));
+            let beside = self.beside(&c.segments, self.touch + self.spare);
+            let mut runs = self.runs_of(beside.iter().flat_map(|s| self.beside_as_near_as_can_be(s)));
             let touching = self.beside(&c.segments, self.touch);
             runs.extend(self.runs_of(touching.iter().flat_map(|s| self.free(&along(s))).filter(|c| self.is_tight(c))));
             runs
@@ -186,24 +193,13 @@ impl<'a> Turning<'a> {
         }
     }
 
-    /// What follows a piece so that `next` is reached: itself with directions that go on from there, after a turn on the spot at a
-    /// corner; `None` where they don't meet or there is no room to turn.
-    fn joined(&self, last: Course, next: Course) -> Option<Vec<Course>> {
-        let at = last.path.end();
-        if at != next.path.start() {
-            return None;
-        }
-        let turn = (next.from - last.to + PI).rem_euclid(TAU) - PI;
-        let on = next.turned(last.to + turn - next.from);
-        if turn.abs() <= SMOOTH_TURN {
-            return Some(vec![on]);
-        }
-        let spot = Course { path: Segment::line(at, at), from: last.to, to: last.to + turn };
-        (self.free(&spot) == [spot]).then(|| vec![spot, on])
-    }
-
     /// The parts of a piece along which no wall enters the profile.
     fn free(&self, course: &Course) -> Vec<Course> {
+        self.free_shares(course).into_iter().map(|span| part(course, span)).collect()
+    }
+
+    /// The same as shares of its length.
+    fn free_shares(&self, course: &Course) -> Vec<[f64; 2]> {
         let frame = Frame { at: course.path.start(), angle: course.from };
         let motion = Motion::of(course, frame);
         let mut near = Vec::new();
@@ -234,7 +230,7 @@ impl<'a> Turning<'a> {
                 _ => spans.push([span[0], span[1]]),
             }
         }
-        spans.into_iter().map(|span| part(course, span)).collect()
+        spans
     }
 
     /// Whether a wall comes into the profile: its ends, or its middles between crossings of the outline.

@@ -1,18 +1,20 @@
 //! Pocketing with a tool that turns with the walls: trajectory-based erosions of R. Molina-Carmona, A. Jimeno and M. Davia,
 //! *Contour pocketing computation using mathematical morphology*, section 2.
 //!
-//! 1. Parallels of the walls at the distance at which the profile touches them ([`Turning::wall_runs`]), and offsets further in by steps
-//!    until nothing is left; one of them at the profile's reach, from where on it can turn freely (`distances`). They have the direction
-//!    of the nearest wall.
-//! 2. The parts of each along which the profile enters no wall ([`Turning::runs`]): innermost first, with a lift between.
+//! 1. Parallels of the walls at the distance at which the profile touches them or, where it does not fit there, as near to them as it fits
+//!    ([`Turning::wall_runs`]), and offsets further in by steps until nothing is left; one of them at the profile's reach, from where on it
+//!    can turn freely (`distances`). They have the direction of the nearest wall.
+//! 2. The parts of each along which the profile enters no wall ([`Turning::runs`]): innermost first, with a lift between. Where it is enough to
+//!    back off from the walls and turn, they are joined without one.
 //! 3. The moves, once a depth pass (`moves`), each with the direction that the rotary axis has at its end. From one run to the next it takes
 //!    the shorter way round, in the air.
 //!
 //! **What is cut.** All that the profile covers at places where it touches a wall with its x axis along it, as those places are a
-//! parallel's runs. All points so far from the walls that the profile can turn freely about them: from such a point walk straight to its
+//! parallel's runs; and where it does not fit so near, at the nearest place straight in from there. All points so far from the walls that the profile can turn freely about them: from such a point walk straight to its
 //! nearest wall; within a step one comes upon a parallel, at the latest that at the profile's reach, where all directions are free; the
 //! point lies straight ahead on the profile's y axis, within a step, and so in the profile. Places between are cut as far as the
-//! parallels lead there.
+//! parallels lead there: straight in from a nearest place, every piece of the way on which it fits and that crosses no parallel is shorter than a
+//! step. What only a place can cut from which it fits no nearer nor farther, past an obstacle, may be left.
 
 mod moves;
 
@@ -69,7 +71,11 @@ pub fn plan_turning(region: &Region, profile: &ToolProfile, job: &PocketJob) -> 
     let highest = skeleton.vertices().iter().map(|v| v.clearance).fold(0.0, f64::max);
     let inner = distances(touch, stepover, profile.reach(), highest)?;
     let mut cuts = cuts(&skeleton, &turning, &inner)?;
-    cuts.extend(turning.wall_runs(region).into_iter().map(|run| Cut { run, distance: touch, level: 0 }));
+    cuts.extend(turning.wall_runs(region).into_iter().map(|run| Cut {
+        distance: nearest(&walls, &run),
+        run,
+        level: 0,
+    }));
     let Some(widest) = cuts.iter().map(|c| c.distance).reduce(f64::max) else {
         let bbox = profile.contour().bbox();
         return Err(PlanError::ProfileDoesNotFit { width: bbox.width(), height: bbox.height() });
@@ -80,6 +86,11 @@ pub fn plan_turning(region: &Region, profile: &ToolProfile, job: &PocketJob) -> 
     }
     plan.stepover = stepover;
     Ok(plan)
+}
+
+/// Where a run comes nearest to the walls, mm.
+fn nearest(walls: &Boundary, run: &Run) -> f64 {
+    run.courses.iter().map(|c| walls.distance(c.path.start())).fold(f64::INFINITY, f64::min)
 }
 
 /// How far from the wall that it follows a tool keeps, mm: so little that the wall counts as cut, and more than half of what the proof

@@ -39,10 +39,11 @@ fn its_flat_side_lies_along_every_wall() {
     let profile = tool("rect:8x3");
     let plan = plan_turning(&pocket, &profile, &job(&profile)).unwrap();
     let outermost: Vec<_> = plan.loops.iter().filter(|l| l.level == 0).collect();
-    assert_eq!(outermost.len(), 4, "one run a wall");
-    assert!(outermost.iter().all(|l| (l.distance - 1.5).abs() < 1e-12));
-    let length: f64 = outermost.iter().flat_map(|l| &l.segments).map(Segment::length).sum();
-    assert!((length - 2.0 * (60.0 - 8.0 + 40.0 - 8.0)).abs() < 1e-6, "{length}");
+    assert_eq!(outermost.len(), 1, "in the corners it backs off and turns");
+    assert!((outermost[0].distance - 1.5).abs() < 1e-3);
+    let is_along = |s: &&Segment| [s.start(), s.end()].iter().all(|p| (30.0 - p.x.abs()).min(20.0 - p.y.abs()) < 1.501);
+    let length: f64 = outermost[0].segments.iter().filter(is_along).map(Segment::length).sum();
+    assert!((length - 2.0 * (60.0 - 8.0 + 40.0 - 8.0)).abs() < 0.01, "{length}");
 }
 
 #[test]
@@ -51,7 +52,15 @@ fn what_cannot_be_done_is_said() {
     let narrow = region(&[&block(3.0, 3.0)]);
     let error = plan_turning(&narrow, &profile, &job(&profile)).unwrap_err();
     assert!(matches!(error, PlanError::ProfileDoesNotFit { .. }), "{error}");
+}
+
+/// It used to be cut no farther than the inner parallels lead.
+#[test]
+fn a_round_pocket_is_cut_as_near_to_its_wall_as_the_corners_let_it() {
+    let profile = tool("rect:8x3");
     let round = region(&[&[[-5.0, 0.0, 1.0], [5.0, 0.0, 1.0]]]);
-    let plan = plan_turning(&round, &profile, &job(&profile));
-    assert!(plan.is_err() || plan.unwrap().loops.iter().all(|l| l.distance > 1.5 + 0.1));
+    let plan = plan_turning(&round, &profile, &job(&profile)).unwrap();
+    // The corners' circle is that of the wall: 4² + (1.5 + 1.5)² = 5².
+    let nearest = plan.loops.iter().map(|l| l.distance).fold(f64::INFINITY, f64::min);
+    assert!((nearest - 3.5).abs() < 2e-3, "{nearest}");
 }

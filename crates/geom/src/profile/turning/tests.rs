@@ -3,6 +3,7 @@ use crate::contour::Contour;
 use crate::repair::{RepairOptions, build};
 use crate::{Region, ToolShape};
 use proptest::prelude::*;
+use std::f64::consts::PI;
 
 fn region(loops: &[&[[f64; 3]]]) -> Region {
     let loops = loops.iter().map(|l| Contour::from_vertices(l)).collect();
@@ -124,6 +125,52 @@ proptest! {
                 } else {
                     prop_assert!(deep > -0.2, "{segment:?} {t}: {deep} {kept:?}");
                 }
+            }
+        }
+    }
+}
+
+/// Whether some place of the runs is this one, within lengths and angles that samples resolve.
+fn is_visited(runs: &[Run], at: Point, angle: f64, near: f64) -> bool {
+    runs.iter().flat_map(|r| &r.courses).any(|c| {
+        let places = (0..=16).map(|k| f64::from(k) / 16.0);
+        let turned = |t: f64| ((angle - c.from - t * (c.to - c.from) + PI).rem_euclid(TAU) - PI).abs();
+        c.path.distance(at) < near && places.map(turned).fold(f64::INFINITY, f64::min) < 0.1
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    /// By brute force: along walls the profile goes as near to them as it fits, and enters none; on the ways between runs neither.
+    #[test]
+    fn wall_runs_are_as_near_to_walls_as_it_fits(
+        (x, y, r) in (-8.0..8.0_f64, -5.0..5.0_f64, 0.5..3.0_f64),
+        (bulge, skew) in (-0.1..0.4_f64, -4.0..4.0_f64),
+        kind in 0..4_usize,
+    ) {
+        let outer = [[-16.0, -12.0, bulge], [16.0, -12.0, 0.0], [16.0 + skew, 12.0, 0.0], [-16.0, 12.0 + skew, 0.0]];
+        let pocket = region(&[&outer, &[[x - r, y, 1.0], [x + r, y, 1.0]]]);
+        let walls = Boundary::new(&pocket);
+        let profile = tool(["rect:8x3", "rounded:8x4r1", "polygon:3x6", "ellipse:8x3"][kind]);
+        let turning = Turning::new(&walls, &profile, 1e-3);
+        let runs = turning.wall_runs(&pocket);
+        for course in runs.iter().flat_map(|r| &r.courses) {
+            for t in [0.0, 0.37, 0.83] {
+                let at = if course.path.length() > 0.0 { course.path.at(t) } else { course.path.start() };
+                let deep = entered(&walls, &profile, at, course.from + t * (course.to - course.from));
+                prop_assert!(deep < 1e-6, "{course:?} {t}: {deep}");
+            }
+        }
+        for (wall, k) in pocket.segments().flat_map(|wall| (1..6).map(move |k| (wall, k))) {
+            let share = f64::from(k) / 6.1;
+            let angle = wall.start_tangent().angle() + if let Segment::Arc(a) = wall { share * a.sweep() } else { 0.0 };
+            let away = Vec2::from_angle(angle).left();
+            let heights = (0..60).map(|k| turning.touch_distance() + 0.05 * f64::from(k));
+            let mut places = heights.map(|h| (h, wall.at(share) + away * h));
+            let lowest = places.find(|&(h, at)| walls.distance(at) < h - 1e-3 || entered(&walls, &profile, at, angle) < -0.02);
+            if let Some((h, at)) = lowest.filter(|&(h, at)| walls.distance(at) > h - 1e-3) {
+                prop_assert!(is_visited(&runs, at, angle, 0.2), "{h} from {wall:?} at {at:?}, {angle}");
             }
         }
     }
