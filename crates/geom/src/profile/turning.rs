@@ -29,7 +29,7 @@ use crate::point::{Point, Vec2, point, vec2};
 use crate::region::Region;
 use crate::segment::{Arc, Segment};
 use crate::tolerance::profile::{ENTERED, PARALLEL, SMOOTH_TURN};
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// A piece of path with the profile's direction at its ends: linear in the length between, as a rotary axis follows.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -144,7 +144,8 @@ impl<'a> Turning<'a> {
             parallel(wall, distance).into_iter().for_each(&mut push);
             let (arriving, leaving) = (wall.end_tangent().left(), next.start_tangent().left());
             let turn = arriving.angle_to(leaving);
-            if turn < -PARALLEL {
+            // At a cusp rounding decides on the sign; one that points out of the region has no room beside it anyway.
+            if turn < -PARALLEL || turn > PI - SMOOTH_TURN {
                 let (center, radius) = (wall.end(), distance);
                 let (start, end) = (center + arriving * radius, center + leaving * radius);
                 push(Segment::Arc(Arc { start, end, center, radius, ccw: false }));

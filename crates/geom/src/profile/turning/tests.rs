@@ -3,7 +3,6 @@ use crate::contour::Contour;
 use crate::repair::{RepairOptions, build};
 use crate::{Region, ToolShape};
 use proptest::prelude::*;
-use std::f64::consts::PI;
 
 fn region(loops: &[&[[f64; 3]]]) -> Region {
     let loops = loops.iter().map(|l| Contour::from_vertices(l)).collect();
@@ -128,6 +127,17 @@ proptest! {
             }
         }
     }
+}
+
+/// The tip was passed over, and with it the way around: between tangents that come back the turn has either sign.
+#[test]
+fn it_goes_around_the_tip_where_two_tangent_walls_end() {
+    let half = [[6.25, 50.0, -0.414_213_562], [50.0, 93.75, -1.0], [50.0, 50.0, 1.0], [50.0, 6.25, -0.414_213_562]];
+    let pocket = region(&[&[[50.0, 100.0, 1.0], [50.0, 0.0, 1.0]], &half]);
+    let walls = Boundary::new(&pocket);
+    let runs = Turning::new(&walls, &tool("rect:6x3"), 1e-3).wall_runs(&pocket);
+    let beside_the_tip = point(50.0 + 1.501, 6.25);
+    assert!(is_visited(&runs, beside_the_tip, -0.5 * PI, 1e-6));
 }
 
 /// Whether some place of the runs is this one, within lengths and angles that samples resolve.
