@@ -145,7 +145,7 @@ impl<'a> Turning<'a> {
             let (arriving, leaving) = (wall.end_tangent().left(), next.start_tangent().left());
             let turn = arriving.angle_to(leaving);
             // At a cusp rounding decides on the sign; one that points out of the region has no room beside it anyway.
-            if turn < -PARALLEL || turn > PI - SMOOTH_TURN {
+            if !(-PARALLEL..=PI - SMOOTH_TURN).contains(&turn) {
                 let (center, radius) = (wall.end(), distance);
                 let (start, end) = (center + arriving * radius, center + leaving * radius);
                 push(Segment::Arc(Arc { start, end, center, radius, ccw: false }));
