@@ -6,9 +6,12 @@
 
 use crate::index::SegmentIndex;
 use crate::intersect::meet;
-use crate::point::Point;
+use crate::point::{Point, Vec2};
 use crate::region::Region;
 use crate::segment::{Arc, Segment};
+
+/// Steps of the search for a disk: it converges like Newton's method, in three or four.
+const DISK_STEPS: usize = 64;
 
 /// The least distance between two closed segments, mm.
 pub fn between(a: &Segment, b: &Segment) -> f64 {
@@ -119,6 +122,40 @@ impl Boundary {
         let distance = self.distance(p);
         if self.contains(p) { distance } else { -distance }
     }
+
+    /// The radius of the largest disk, none larger than `most`, that touches the wall at `foot` from the side of the unit vector `normal`
+    /// and has nothing in it but what comes in by the slack (mm), from above; and the other segment that it touches. Radii of `least` and
+    /// below are not told apart.
+    pub fn largest_disk(&self, foot: Point, normal: Vec2, [least, most]: [f64; 2], slack: f64) -> (f64, Option<usize>) {
+        let (mut radius, mut other) = (most, None);
+        for _ in 0..DISK_STEPS {
+            let center = foot + normal * radius;
+            let Some((wall, _)) = self.index.nearest_within(center, radius - slack) else { break };
+            let touching = touching(&self.segments[wall], foot, normal, center);
+            other = Some(wall);
+            if touching >= radius {
+                break;
+            }
+            radius = touching.max(least);
+            if touching <= least {
+                break;
+            }
+        }
+        (radius, other)
+    }
+}
+
+/// Radius of the disk that touches a wall at `foot` from the side of `normal`, and the other wall where that is nearest to
+/// `center`.
+fn touching(wall: &Segment, foot: Point, normal: Vec2, center: Point) -> f64 {
+    let nearest = wall.nearest(center);
+    let inside = matches!(wall, Segment::Line(l) if nearest != l.start && nearest != l.end);
+    if inside {
+        let across = (center - nearest).normalized();
+        return (foot - nearest).dot(across) / (1.0 - normal.dot(across));
+    }
+    let to = nearest - foot;
+    to.length_squared() / (2.0 * normal.dot(to))
 }
 
 #[cfg(test)]

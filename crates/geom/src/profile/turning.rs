@@ -43,6 +43,11 @@ pub struct Course {
 }
 
 impl Course {
+    /// The profile's direction after a share of the piece, radians.
+    fn direction(&self, share: f64) -> f64 {
+        self.from + share * (self.to - self.from)
+    }
+
     /// Travelled the other way, the profile's directions unchanged.
     #[must_use]
     pub fn reversed(&self) -> Self {
@@ -288,7 +293,7 @@ fn along(segment: &Segment) -> Course {
 fn part(course: &Course, shares: [f64; 2]) -> Course {
     let on_the_spot = course.path.start() == course.path.end();
     let path = if on_the_spot { course.path } else { course.path.between(shares) };
-    let [from, to] = shares.map(|share| course.from + share * (course.to - course.from));
+    let [from, to] = shares.map(|share| course.direction(share));
     Course { path, from, to }
 }
 

@@ -7,7 +7,7 @@ use clipper2_rust::clipper::{difference_64, inflate_paths_64, rect_clip_64, unio
 use clipper2_rust::core::{FillRule, Path64, Paths64, Point64, Rect64};
 use clipper2_rust::minkowski::minkowski_sum;
 use clipper2_rust::offset::{EndType, JoinType};
-use pocketry_geom::index::SegmentIndex;
+use pocketry_geom::distance::Boundary;
 use pocketry_geom::offset::Offset;
 use pocketry_geom::{BBox, Contour, Point, Region, Segment, point};
 
@@ -58,9 +58,9 @@ impl Grid {
         without(&self.region(region), parts.map(|p| vec![self.path(p.into_iter())]).collect())
     }
 
-    /// The places in a window of a convex polygon, with its reference point at the origin, among walls of lines: what the polygon reflected
+    /// The places in a window of a convex polygon, with its reference point at the origin, in a region of lines: what the polygon reflected
     /// does not reach from any edge.
-    pub(crate) fn places(&self, walls: &Walls, polygon: &[Point], window: BBox) -> Paths64 {
+    pub(crate) fn places(&self, window: &Window, polygon: &[Point]) -> Paths64 {
         let turned = polygon.iter().map(|p| p.to_vec() * -self.scale);
         let pattern: Path64 = turned.map(|v| Point64::new(v.x.round() as i64, v.y.round() as i64)).collect();
         let reach = |s: &Segment| {
@@ -71,9 +71,25 @@ impl Grid {
             reached.push(at_start);
             reached
         };
-        let far = polygon.iter().map(|p| p.to_vec().length()).fold(0.0, f64::max);
-        let near = walls.near(window, far);
-        without(&self.within(&walls.paths, window), near.iter().map(reach).collect())
+        without(&window.inside, window.near.iter().map(reach).collect())
+    }
+
+    /// Windows that make up a region's box, each with few walls nearer than `far`, or no larger than that.
+    pub(crate) fn windows(&self, region: &Region, far: f64) -> Vec<Window> {
+        let (boundary, paths) = (Boundary::new(region), self.region(region));
+        let (mut windows, mut rest) = (Vec::new(), vec![region.bbox()]);
+        while let Some(bbox) = rest.pop() {
+            let mut near = Vec::new();
+            boundary.index().visit(bbox, far, |k, _| near.push(k));
+            if bbox.size() <= far || near.len() <= FEW {
+                near.sort_unstable();
+                let near = near.into_iter().map(|k| boundary.segments()[k]).collect();
+                windows.push(Window { bbox, inside: self.within(&paths, bbox), near });
+            } else {
+                rest.extend(halves(bbox));
+            }
+        }
+        windows
     }
 
     /// What lies in a window.
@@ -90,40 +106,13 @@ impl Grid {
     }
 }
 
-/// The walls of a region, and those near a window.
-pub(crate) struct Walls {
-    segments: Vec<Segment>,
-    index: SegmentIndex,
-    paths: Paths64,
-    bbox: BBox,
-}
-
-impl Walls {
-    pub(crate) fn new(region: &Region, grid: &Grid) -> Self {
-        let segments: Vec<Segment> = region.segments().copied().collect();
-        Self { index: SegmentIndex::new(&segments), segments, paths: grid.region(region), bbox: region.bbox() }
-    }
-
-    /// In the region's order.
-    fn near(&self, window: BBox, far: f64) -> Vec<Segment> {
-        let mut found = Vec::new();
-        self.index.visit(window, far, |k, _| found.push(k));
-        found.sort_unstable();
-        found.into_iter().map(|k| self.segments[k]).collect()
-    }
-
-    /// Windows that make up the region's box, each with few walls nearer than `far`, or no larger than that.
-    pub(crate) fn windows(&self, far: f64) -> Vec<BBox> {
-        let (mut windows, mut rest) = (Vec::new(), vec![self.bbox]);
-        while let Some(window) = rest.pop() {
-            if window.size() <= far || self.near(window, far).len() <= FEW {
-                windows.push(window);
-            } else {
-                rest.extend(halves(window));
-            }
-        }
-        windows
-    }
+/// A part of the plane, with what of a region matters there.
+pub(crate) struct Window {
+    pub(crate) bbox: BBox,
+    /// What of the region lies in it.
+    inside: Paths64,
+    /// The walls near it, in the region's order.
+    near: Vec<Segment>,
 }
 
 /// Halved across its longer side.

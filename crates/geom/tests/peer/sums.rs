@@ -2,7 +2,7 @@
 //! the region's complement and the reflected polygon.
 
 use crate::corpus::{FAMILIES, is_wanted};
-use crate::peer::{Grid, Walls};
+use crate::peer::Grid;
 use pocketry_geom::offset::morphology::eroded;
 use pocketry_geom::{Contour, Point, Region};
 use pocketry_testkit::corpus::{Record, read, region as build, shared};
@@ -45,12 +45,12 @@ fn compare(region: &Region, (polygon, reach): &(Vec<[f64; 3]>, f64)) -> Vec<Stri
     let scaled = |share: f64| polygon.iter().map(|v| Point { x: share * v[0], y: share * v[1] }).collect::<Vec<_>>();
     let [smaller, larger] = [1.0 - step, 1.0 + step].map(scaled);
     let far = larger.iter().map(|p| p.to_vec().length()).fold(0.0, f64::max);
-    let (walls, all) = (Walls::new(region, &grid), grid.region(&places));
+    let all = grid.region(&places);
     let mut wrong = Vec::new();
-    for window in walls.windows(far) {
-        let ours = grid.within(&all, window);
-        let too_many = grid.excess(&ours, &grid.places(&walls, &smaller, window));
-        let missing = grid.excess(&grid.places(&walls, &larger, window), &ours);
+    for window in grid.windows(region, far) {
+        let ours = grid.within(&all, window.bbox);
+        let too_many = grid.excess(&ours, &grid.places(&window, &smaller));
+        let missing = grid.excess(&grid.places(&window, &larger), &ours);
         wrong.extend(too_many.iter().map(|p| format!("places too many at {p:?}")));
         wrong.extend(missing.iter().map(|p| format!("places missing at {p:?}")));
     }

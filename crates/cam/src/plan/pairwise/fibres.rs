@@ -3,10 +3,7 @@
 use pocketry_geom::distance::Boundary;
 use pocketry_geom::offset::PairwiseOffsetter;
 use pocketry_geom::skeleton::{SiteId, SiteShape};
-use pocketry_geom::{Point, Segment, Vec2};
-
-/// Steps of the search for a disk: it converges like Newton's method, in three or four.
-const STEPS: usize = 64;
+use pocketry_geom::{Point, Vec2};
 
 /// By how much longer than the last one a fibre is taken to be, at first.
 const GUESS: f64 = 1.03125;
@@ -64,38 +61,10 @@ impl<'a> Fibres<'a> {
     /// The radius of the largest disk, none larger than `most`, that touches the wall at the foot and has nothing in it, from
     /// above; and the other wall that it touches.
     fn disk(&self, foot: Point, normal: Vec2, most: f64) -> (f64, Option<usize>) {
-        let (mut clearance, mut other) = (most, None);
-        for _ in 0..STEPS {
-            let center = foot + normal * clearance;
-            let bound = clearance - self.slack();
-            let Some((wall, _)) = self.walls.index().nearest_within(center, bound) else { break };
-            let touching = touching(&self.walls.segments()[wall], foot, normal, center);
-            other = Some(wall);
-            if touching >= clearance {
-                break;
-            }
-            clearance = touching.max(self.low);
-            if touching <= self.low {
-                break;
-            }
-        }
-        (clearance, other)
+        self.walls.largest_disk(foot, normal, [self.low, most], self.slack())
     }
 
     fn slack(&self) -> f64 {
         0.01 * pocketry_geom::offset::degenerate_slack(self.low)
     }
-}
-
-/// Radius of the disk that touches a wall at `foot` from the side of `normal`, and the other wall where that is nearest to
-/// `center`.
-fn touching(wall: &Segment, foot: Point, normal: Vec2, center: Point) -> f64 {
-    let nearest = wall.nearest(center);
-    let inside = matches!(wall, Segment::Line(l) if nearest != l.start && nearest != l.end);
-    if inside {
-        let across = (center - nearest).normalized();
-        return (foot - nearest).dot(across) / (1.0 - normal.dot(across));
-    }
-    let to = nearest - foot;
-    to.length_squared() / (2.0 * normal.dot(to))
 }

@@ -6,17 +6,14 @@
 //! walls, and is tested as a whole like any other.
 
 use super::{Course, Turning, along, part};
-use crate::point::{Point, Vec2};
-use crate::segment::{Arc, Segment};
+use crate::point::Vec2;
+use crate::segment::Segment;
 
 /// By how much a path that follows samples may lie farther from the walls than it could, as a multiple of what it keeps from walls.
 const SAG: f64 = 4.0;
 
 /// Samples lie no farther apart than this share of the profile's reach.
 const WIDEST: f64 = 0.25;
-
-/// Steps of the search for the largest disk that touches a wall at a point.
-const DISKS: usize = 64;
 
 /// A place of a parallel, as a share of its length, and how much farther from the wall the profile is free; `None` where it is not.
 #[derive(Clone, Copy)]
@@ -34,12 +31,12 @@ impl Turning<'_> {
     /// The free pieces along a wall's parallel at the touching distance and what is spared, and instead of what is not free of it, further from
     /// the wall; in order.
     pub(super) fn beside_as_near_as_can_be(&self, parallel: &Segment) -> Vec<Course> {
-        let free = self.free_shares(&along(parallel));
+        let whole = along(parallel);
         let mut courses = Vec::new();
         let mut from = 0.0;
-        for &[start, end] in &free {
+        for [start, end] in self.free_shares(&whole) {
             self.stand_off(parallel, [from, start], &mut courses);
-            courses.push(part(&along(parallel), [start, end]));
+            courses.push(part(&whole, [start, end]));
             from = end;
         }
         self.stand_off(parallel, [from, 1.0], &mut courses);
@@ -68,8 +65,8 @@ impl Turning<'_> {
 
     /// Length of a parallel, or of the way of the profile's far end where it turns.
     fn extent(&self, parallel: &Segment) -> f64 {
-        let turn = if let Segment::Arc(a) = parallel { a.sweep().abs() } else { 0.0 };
-        parallel.length().max(turn * self.reach)
+        let whole = along(parallel);
+        parallel.length().max((whole.to - whole.from).abs() * self.reach)
     }
 
     /// Adds the spans between two samples along which the nearest places go on smoothly.
@@ -90,10 +87,11 @@ impl Turning<'_> {
 
     /// How much further from the wall than its parallel the profile is free first.
     fn sample(&self, parallel: &Segment, share: f64) -> Sample {
-        let (angle, start) = (heading(parallel, share), parallel.at(share));
+        let (angle, start) = (along(parallel).direction(share), parallel.at(share));
         let away = Vec2::from_angle(angle).left();
         let distance = self.touch + self.spare;
-        let highest = self.largest_disk(start - away * distance, away);
+        let disks = [distance, self.reach];
+        let (highest, _) = self.walls.largest_disk(start - away * distance, away, disks, self.entered);
         let none = Sample { share, further: None };
         if highest <= distance {
             return none;
@@ -104,45 +102,13 @@ impl Turning<'_> {
         let further = low + self.sag();
         Sample { share, further: (further <= high).then_some(further) }
     }
-
-    /// Radius of the largest disk within the walls that touches one of them at `foot`, no more than the profile's reach.
-    fn largest_disk(&self, foot: Point, away: Vec2) -> f64 {
-        let mut radius = self.reach;
-        for _ in 0..DISKS {
-            let center = foot + away * radius;
-            let Some((wall, distance)) = self.walls.index().nearest_within(center, radius - self.entered) else {
-                break;
-            };
-            let to = self.walls.segments()[wall].nearest(center) - foot;
-            let rise = to.dot(away);
-            if distance >= radius || rise <= 0.0 {
-                return radius.min(distance);
-            }
-            radius = radius.min(to.length_squared() / (2.0 * rise));
-        }
-        radius
-    }
-}
-
-/// The direction of a curve at a share of its length, radians.
-fn heading(curve: &Segment, share: f64) -> f64 {
-    curve.start_tangent().angle() + if let Segment::Arc(a) = curve { share * a.sweep() } else { 0.0 }
 }
 
 /// A part of a parallel moved away from its wall by a length at each end. Beside an arc the profile turns about a pole, as a rigid body does from
 /// any place and direction to any other.
 fn raised(parallel: &Segment, shares: [f64; 2], further: [f64; 2]) -> Course {
-    let [from, to] = shares.map(|s| heading(parallel, s));
+    let whole = along(parallel);
+    let [from, to] = shares.map(|share| whole.direction(share));
     let place = |k: usize| parallel.at(shares[k]) + Vec2::from_angle([from, to][k]).left() * further[k];
-    let (start, end) = (place(0), place(1));
-    let path = if from == to || start == end { Segment::line(start, end) } else { turned(start, end, to - from) };
-    Course { path, from, to }
-}
-
-/// The arc between two points that turns by an angle of less than a full turn, radians.
-fn turned(start: Point, end: Point, by: f64) -> Segment {
-    let chord = end - start;
-    let radius = 0.5 * chord.length() / (0.5 * by).sin().abs();
-    let center = start.lerp(end, 0.5) + chord.left() * (0.5 / (0.5 * by).tan());
-    Segment::Arc(Arc { start, end, center, radius, ccw: by > 0.0 })
+    Course { path: Segment::from_bulge(place(0), place(1), (0.25 * (to - from)).tan()), from, to }
 }

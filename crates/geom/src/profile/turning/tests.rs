@@ -144,7 +144,7 @@ fn it_goes_around_the_tip_where_two_tangent_walls_end() {
 fn is_visited(runs: &[Run], at: Point, angle: f64, near: f64) -> bool {
     runs.iter().flat_map(|r| &r.courses).any(|c| {
         let places = (0..=16).map(|k| f64::from(k) / 16.0);
-        let turned = |t: f64| ((angle - c.from - t * (c.to - c.from) + PI).rem_euclid(TAU) - PI).abs();
+        let turned = |t: f64| ((angle - c.direction(t) + PI).rem_euclid(TAU) - PI).abs();
         c.path.distance(at) < near && places.map(turned).fold(f64::INFINITY, f64::min) < 0.1
     })
 }
@@ -168,13 +168,13 @@ proptest! {
         for course in runs.iter().flat_map(|r| &r.courses) {
             for t in [0.0, 0.37, 0.83] {
                 let at = if course.path.length() > 0.0 { course.path.at(t) } else { course.path.start() };
-                let deep = entered(&walls, &profile, at, course.from + t * (course.to - course.from));
+                let deep = entered(&walls, &profile, at, course.direction(t));
                 prop_assert!(deep < 1e-6, "{course:?} {t}: {deep}");
             }
         }
         for (wall, k) in pocket.segments().flat_map(|wall| (1..6).map(move |k| (wall, k))) {
             let share = f64::from(k) / 6.1;
-            let angle = wall.start_tangent().angle() + if let Segment::Arc(a) = wall { share * a.sweep() } else { 0.0 };
+            let angle = along(wall).direction(share);
             let away = Vec2::from_angle(angle).left();
             let heights = (0..60).map(|k| turning.touch_distance() + 0.05 * f64::from(k));
             let mut places = heights.map(|h| (h, wall.at(share) + away * h));
