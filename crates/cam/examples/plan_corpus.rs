@@ -228,7 +228,7 @@ fn picture(region: &Region, plan: &Plan) -> String {
     }
     for l in &plan.links {
         let color = match l.kind {
-            pocketry_cam::LinkKind::Entry => "green",
+            pocketry_cam::LinkKind::Entry | pocketry_cam::LinkKind::CleanUp => "green",
             pocketry_cam::LinkKind::SideStep => "red",
             pocketry_cam::LinkKind::Medial => "magenta",
             pocketry_cam::LinkKind::Through => "purple",

@@ -35,6 +35,7 @@ mod turning;
 mod ways;
 
 use crate::job::PocketJob;
+use cleanup::Gathered;
 use levels::Levels;
 use order::Orderer;
 use pocketry_geom::Region;
@@ -81,15 +82,16 @@ pub(crate) fn plan_from(region: &Region, skeleton: &Skeleton, job: &PocketJob, f
     }
     let radius = job.tool.radius();
     let ways = SkeletonWays::new(skeleton);
-    let mut cleanups = Vec::new();
+    let mut gathered = Gathered::default();
     // Loops no farther apart than the tool's radius leave nothing.
     if job.cleanup && stepover > radius {
         let orderer = Orderer::new(&ways, &levels);
         let pieces = cleanup::of_skeleton(&ways, &orderer, &distances, radius);
-        let gathered = cleanup::gather(&pieces, &orderer, radius);
-        cleanups = cleanup::add(&mut levels, gathered, radius);
+        gathered = cleanup::gather(&pieces, &orderer, radius);
+        cleanup::mark_entrances(&mut levels, &gathered, job, first);
     }
-    let chains = Orderer::new(&ways, &levels).chains();
+    let mut chains = Orderer::new(&ways, &levels).chains();
+    let cleanups = cleanup::hang(&mut chains, gathered, &levels, job, first);
     warnings.extend(report::unreached(skeleton, &trees, first, job.stock_to_leave));
     let mut plan = moves::write(&levels, &chains, job, first);
     plan.strategy = Strategy::Contour;

@@ -1,7 +1,8 @@
 //! From chains to moves: passes in depth, entries, lifts.
 
+use super::cleanup::tip_helix;
 use super::levels::Levels;
-use super::order::{Chain, Step};
+use super::order::{Chain, Start, Step};
 use super::report::{EntryKind, Group, Link, Plan, PlannedLoop, Warning};
 use crate::job::PocketJob;
 use pocketry_geom::{Point, Segment, Vec2, vec2};
@@ -71,6 +72,7 @@ impl<'a> Travelled<'a> {
     /// Where the tool goes down.
     fn entry_point(&self) -> Point {
         match self.entry {
+            _ if matches!(self.chain.start, Start::Tip { .. }) => self.chain.steps[0].link[0].start(),
             EntryKind::Helix { center, radius } => center + self.outward(center) * radius,
             EntryKind::Ramp | EntryKind::Plunge => self.chain.steps[0].cut.start,
         }
@@ -85,6 +87,9 @@ impl<'a> Travelled<'a> {
     /// The ways to each cut as travelled: the entry's link starts on the helix, or is none.
     fn links(&self) -> Vec<Vec<Segment>> {
         let mut links: Vec<Vec<Segment>> = self.chain.steps.iter().map(|s| s.link.clone()).collect();
+        if matches!(self.chain.start, Start::Tip { .. }) {
+            return links;
+        }
         let (from, to) = (self.entry_point(), self.chain.steps[0].cut.start);
         links[0] = if from == to { Vec::new() } else { vec![Segment::line(from, to)] };
         links
@@ -92,8 +97,12 @@ impl<'a> Travelled<'a> {
 
     fn describe(&self, group: usize, levels: &Levels, plan: &mut Plan) {
         let start = self.entry_point();
-        let clearance = self.chain.peak.map_or(levels.tracks[self.chain.steps[0].track as usize].distance, |p| p.1);
-        plan.groups.push(Group { start, clearance, entry: self.entry, pocket: self.chain.pocket });
+        plan.groups.push(Group {
+            start,
+            clearance: self.chain.clearance,
+            entry: self.entry,
+            pocket: self.chain.pocket,
+        });
         if self.entry == EntryKind::Plunge {
             plan.warnings.push(Warning::Plunge { at: start });
         }
@@ -119,8 +128,16 @@ fn entry(chain: &Chain, job: &PocketJob, first: f64) -> EntryKind {
     let radius = job.tool.radius();
     let (least, largest) = (job.entry.least_helix * radius, job.entry.largest_helix * radius);
     let cut = &chain.steps[0].cut;
-    if let Some((center, clearance)) = chain.peak {
-        let (room, reach) = (clearance - first, center.distance(cut.start));
+    if let Start::Tip { clearance, .. } = chain.start
+        && let Some(radius) = tip_helix(clearance, job, first)
+    {
+        // It ends in the direction in which the way from the tip begins.
+        let (tip, along) = (chain.steps[0].link[0].start(), chain.steps[0].link[0].start_tangent());
+        let aside = if job.direction == Direction::Climb { along.left() } else { along.right() };
+        return EntryKind::Helix { center: tip + aside * radius, radius };
+    }
+    if let Start::Peak(center) = chain.start {
+        let (room, reach) = (chain.clearance - first, center.distance(cut.start));
         let helix = if (least..=largest).contains(&reach) { reach } else { largest };
         let helix = helix.min(room);
         if helix >= least {

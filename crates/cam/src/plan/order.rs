@@ -4,6 +4,7 @@
 //! on through the loops around all of them. An area without inner ones starts a group at its peak.
 
 use super::levels::{Area, Levels};
+use super::track::Entrance;
 use super::ways::{Summit, Ways};
 use super::{Cut, Landing, LinkKind};
 use pocketry_geom::skeleton::{EdgeId, NONE, SiteId};
@@ -21,11 +22,28 @@ pub(super) struct Step {
     pub(super) kind: LinkKind,
 }
 
+/// Where a chain starts.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Start {
+    /// At the peak of its area.
+    Peak(Point),
+    /// At the tip of a clean-up path.
+    Tip {
+        /// Clearance there, at the least, mm.
+        clearance: f64,
+        /// Which one.
+        cleanup: usize,
+    },
+    /// On its first track.
+    Track,
+}
+
 /// A group of tracks cut without lifting.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub(super) struct Chain {
-    /// The peak at which it starts, with its clearance.
-    pub(super) peak: Option<(Point, f64)>,
+    pub(super) start: Start,
+    /// The highest clearance inside its first track, as far as it is known, mm.
+    pub(super) clearance: f64,
     pub(super) steps: Vec<Step>,
     /// Number of the connected part of what can be reached.
     pub(super) pocket: usize,
@@ -63,13 +81,25 @@ impl<'a> Orderer<'a> {
         Self { ways, levels, pieces, crossings, miss: LANDING * size, snap: LANDING_SNAP * size }
     }
 
-    /// All chains in the order they are cut.
+    /// All chains in the order they are cut. Those of a pocket start at tips of clean-up paths where that takes neither more nor
+    /// fewer lifts: clean-up is no reason to lift.
     pub(super) fn chains(&self) -> Vec<Chain> {
-        let mut chains = Vec::new();
-        for (pocket, &root) in self.levels.roots.iter().enumerate() {
-            for area in self.inner_first(root) {
-                self.cut_area(&self.levels.areas[area as usize], pocket, &mut chains);
+        let of_root = |(pocket, &root): (usize, &u32)| {
+            let from_tips = self.chains_of(root, pocket, true);
+            if from_tips.iter().all(|c| !matches!(c.start, Start::Tip { .. })) {
+                return from_tips;
             }
+            let others = self.chains_of(root, pocket, false);
+            if from_tips.len() == others.len() { from_tips } else { others }
+        };
+        self.levels.roots.iter().enumerate().flat_map(of_root).collect()
+    }
+
+    /// The chains of a tree of areas.
+    fn chains_of(&self, root: u32, pocket: usize, from_tips: bool) -> Vec<Chain> {
+        let mut chains = Vec::new();
+        for area in self.inner_first(root) {
+            self.cut_area(&self.levels.areas[area as usize], pocket, from_tips, &mut chains);
         }
         chains
     }
@@ -88,11 +118,12 @@ impl<'a> Orderer<'a> {
         order
     }
 
-    /// Cuts an area's own tracks, going on from the last chain if the area holds inner ones.
-    pub(super) fn cut_area(&self, area: &Area, pocket: usize, chains: &mut Vec<Chain>) {
+    /// Cuts an area's own tracks, going on from the last chain if the area holds inner ones; others may start at tips of clean-up
+    /// paths.
+    pub(super) fn cut_area(&self, area: &Area, pocket: usize, from_tips: bool, chains: &mut Vec<Chain>) {
         let mut left: BTreeSet<u32> = area.tracks.iter().copied().collect();
         if area.children.is_empty() {
-            chains.push(self.entered(area, pocket, &mut left));
+            chains.push(self.entered(area, pocket, from_tips, &mut left));
         }
         while let Some(&first) = left.first() {
             let chain = chains.last_mut().expect("inner areas have chains");
@@ -103,25 +134,35 @@ impl<'a> Orderer<'a> {
                 // No way is proven: lift and go in anew.
                 left.remove(&first);
                 let alone = Area { tracks: vec![first], clearance: area.clearance, ..Area::default() };
-                chains.push(self.entered(&alone, pocket, &mut BTreeSet::from([first])));
+                chains.push(self.entered(&alone, pocket, from_tips, &mut BTreeSet::from([first])));
             }
         }
     }
 
-    /// A chain whose entry is at the area's peak and whose first track is the one a step towards the wall meets.
-    fn entered(&self, area: &Area, pocket: usize, left: &mut BTreeSet<u32>) -> Chain {
+    /// A chain whose entry is at the area's peak and whose first track is the one a step towards the wall meets; or at the
+    /// tip of a clean-up path of that track.
+    fn entered(&self, area: &Area, pocket: usize, from_tips: bool, left: &mut BTreeSet<u32>) -> Chain {
         let peak = self.ways.peak(area);
         let landing = peak.as_ref().and_then(|p| self.step_off(p, left));
         let track = landing.map_or(area.tracks[0], |l| l.track);
         let start = self.levels.tracks[track as usize].start;
         let at = landing.unwrap_or(Landing { track, segment: 0, point: start });
         left.remove(&track);
+        let clearance = peak.as_ref().filter(|_| landing.is_some()).map(|p| p.clearance);
+        let clearance = clearance.unwrap_or(self.levels.tracks[track as usize].distance);
+        let entrance = self.levels.tracks[track as usize].entrance.as_ref();
+        if let Some(Entrance { way, segment, at }) = entrance.filter(|_| from_tips) {
+            let start = Start::Tip { clearance: way.clearance, cleanup: way.cleanup };
+            let landing = Landing { track, segment: *segment, point: *at };
+            let step = self.step(landing, way.segments.clone(), LinkKind::CleanUp);
+            return Chain { start, clearance, steps: vec![step], pocket };
+        }
         let link = match (&peak, landing) {
             (Some(p), Some(l)) if p.at != l.point => vec![Segment::line(p.at, l.point)],
             _ => Vec::new(),
         };
-        let peak = peak.filter(|_| landing.is_some()).map(|p| (p.at, p.clearance));
-        Chain { peak, steps: vec![self.step(at, link, LinkKind::Entry)], pocket }
+        let start = peak.filter(|_| landing.is_some()).map_or(Start::Track, |p| Start::Peak(p.at));
+        Chain { start, clearance, steps: vec![self.step(at, link, LinkKind::Entry)], pocket }
     }
 
     pub(super) fn step(&self, landing: Landing, link: Vec<Segment>, kind: LinkKind) -> Step {

@@ -153,6 +153,8 @@ pub struct PlannedLoop {
 pub enum LinkKind {
     /// From the entry to the first loop, straight towards the nearest wall.
     Entry,
+    /// From an entry at the tip of a clean-up path along that to the first loop.
+    CleanUp,
     /// From a loop to the next one further out, straight towards the nearest wall.
     SideStep,
     /// Between loops of one distance, along loops and the skeleton.

@@ -63,7 +63,7 @@ impl Orderer<'_> {
         let alone = self.levels.roots.clone();
         for area in alone {
             let pocket = chains.last().map_or(0, |c| c.pocket + 1);
-            self.cut_area(&self.levels.areas[area as usize], pocket, &mut chains);
+            self.cut_area(&self.levels.areas[area as usize], pocket, false, &mut chains);
         }
         chains
     }
@@ -76,7 +76,7 @@ impl Orderer<'_> {
             chain.steps.push(step);
         }
         for area in areas {
-            self.cut_area(&self.levels.areas[area as usize], pocket, chains);
+            self.cut_area(&self.levels.areas[area as usize], pocket, false, chains);
         }
     }
 

@@ -21,6 +21,27 @@ pub(crate) struct Track {
     pub(crate) level: usize,
     /// Whether it is a degenerate path on its own.
     pub(crate) degenerate: bool,
+    /// How the tool may come in where it starts with this track.
+    pub(crate) entrance: Option<Entrance>,
+}
+
+/// A detour of a track by which the tool may come in: the way in then, and where on the track it leads.
+#[derive(Clone, Debug)]
+pub(crate) struct Entrance {
+    pub(crate) way: WayIn,
+    pub(crate) segment: usize,
+    pub(crate) at: Point,
+}
+
+/// The second half of a tour. The tool that comes in by it need not travel the first one.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct WayIn {
+    /// From the tour's tip to its start.
+    pub(crate) segments: Vec<Segment>,
+    /// Clearance at the tip, at the least, mm.
+    pub(crate) clearance: f64,
+    /// Which clean-up path it is.
+    pub(crate) cleanup: usize,
 }
 
 /// A tour from a point of a track and back to it.
@@ -31,12 +52,16 @@ pub(crate) struct Insertion {
     /// Where; `None` for the segment's start.
     pub(crate) at: Option<Point>,
     pub(crate) tour: Vec<Segment>,
+    /// Clearance on the tour, at the least, mm.
+    pub(crate) clearance: f64,
+    /// How the tool may come in instead.
+    pub(crate) way_in: Option<WayIn>,
 }
 
 impl Insertion {
     /// mm.
     pub(crate) fn length(&self) -> f64 {
-        self.tour.iter().map(Segment::length).sum()
+        length_of(&self.tour)
     }
 }
 
@@ -56,13 +81,15 @@ pub(crate) struct Cut {
     pub(crate) sites: Vec<SiteId>,
     pub(crate) crossings: Vec<EdgeId>,
     pub(crate) start: Point,
+    /// Number of the track's segment that the first one is, or the end of it: then the rest of that comes last.
+    pub(crate) from: usize,
 }
 
 impl Track {
     pub(crate) fn of_loop(found: OffsetLoop, distance: f64, level: usize) -> Self {
         let start = found.contour.segments[0].start();
         let OffsetLoop { contour, sites, crossings } = found;
-        Self { segments: contour.segments, sites, crossings, start, distance, level, degenerate: false }
+        Self { segments: contour.segments, sites, crossings, start, distance, level, ..Self::default() }
     }
 
     pub(crate) fn of_path(path: DegeneratePath, distance: f64) -> Self {
@@ -75,6 +102,7 @@ impl Track {
             distance,
             level: 0,
             degenerate: true,
+            entrance: None,
         }
     }
 
@@ -88,43 +116,6 @@ impl Track {
         // The crossing stays with the segment after the tour.
         self.crossings.splice(at..at, std::iter::repeat_n(NONE, count));
         None
-    }
-
-    /// Inserts tours. Crossings stay with what follows them.
-    pub(crate) fn insert(&mut self, mut insertions: Vec<Insertion>) {
-        if insertions.is_empty() {
-            return;
-        }
-        let along = |i: &Insertion| i.at.map_or(0.0, |p| self.segments[i.segment].split_at(p).0.length());
-        for i in &mut insertions {
-            let s = &self.segments[i.segment];
-            if i.at == Some(s.end()) {
-                (i.segment, i.at) = ((i.segment + 1) % self.segments.len(), None);
-            }
-            i.at = i.at.filter(|&p| p != self.segments[i.segment].start());
-        }
-        insertions.sort_by(|a, b| a.segment.cmp(&b.segment).then(along(a).total_cmp(&along(b))));
-        let mut grown = Self { start: self.start, ..Self::default() };
-        let mut next = insertions.into_iter().peekable();
-        for k in 0..self.segments.len() {
-            let (mut rest, mut crossing) = (self.segments[k], self.crossings[k]);
-            while let Some(i) = next.next_if(|i| i.segment == k) {
-                if let Some(p) = i.at.filter(|&p| p != rest.start()) {
-                    let (before, after) = rest.split_at(p);
-                    grown.push(before, self.sites[k], std::mem::replace(&mut crossing, NONE));
-                    rest = after;
-                }
-                i.tour.iter().for_each(|s| grown.push(*s, NONE, NONE));
-            }
-            grown.push(rest, self.sites[k], crossing);
-        }
-        (self.segments, self.sites, self.crossings) = (grown.segments, grown.sites, grown.crossings);
-    }
-
-    fn push(&mut self, segment: Segment, site: SiteId, crossing: EdgeId) {
-        self.segments.push(segment);
-        self.sites.push(site);
-        self.crossings.push(crossing);
     }
 
     /// The place on a segment nearest to `at`; the segment's own end where it lies within `snap` of it.
@@ -153,8 +144,10 @@ impl Track {
         let mut segments: Vec<Segment> = order.clone().map(|i| self.segments[i]).collect();
         let mut sites: Vec<SiteId> = order.clone().map(|i| self.sites[i]).collect();
         let mut crossings: Vec<EdgeId> = order.map(|i| self.crossings[i]).collect();
+        let mut from = k;
         if p == segments[0].end() {
             let tour = self.tours_after(k);
+            from = (k + 1 + tour) % self.segments.len();
             segments.rotate_left(1 + tour);
             sites.rotate_left(1 + tour);
             crossings.rotate_left(1 + tour);
@@ -166,14 +159,14 @@ impl Track {
             crossings[0] = NONE;
             crossings.push(NONE);
         }
-        Cut { segments, sites, crossings, start: p }
+        Cut { segments, sites, crossings, start: p, from }
     }
 }
 
 impl Cut {
     /// Length, mm.
     pub(crate) fn length(&self) -> f64 {
-        self.segments.iter().map(Segment::length).sum()
+        length_of(&self.segments)
     }
 
     /// The way along the cut from its start to the start of segment `to`, the shorter way round.
@@ -182,11 +175,19 @@ impl Cut {
     }
 }
 
+/// The length of a path, mm.
+pub(crate) fn length_of(path: &[Segment]) -> f64 {
+    path.iter().map(Segment::length).sum()
+}
+
 /// The way along a closed path from its start to the start of segment `to`, the shorter way round.
 pub(crate) fn shorter_way(path: &[Segment], to: usize) -> Vec<Segment> {
     let (ahead, behind) = path.split_at(to);
-    let length = |s: &[Segment]| s.iter().map(Segment::length).sum::<f64>();
-    if length(ahead) <= length(behind) { ahead.to_vec() } else { behind.iter().rev().map(Segment::reversed).collect() }
+    if length_of(ahead) <= length_of(behind) {
+        ahead.to_vec()
+    } else {
+        behind.iter().rev().map(Segment::reversed).collect()
+    }
 }
 
 #[cfg(test)]

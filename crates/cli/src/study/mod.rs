@@ -87,12 +87,12 @@ fn row(
     let figures = plan.program.figures(&setup.job.feeds, &setup.job.stock);
     let text = job::write(&plan, &figures, &setup, "study")?;
     let proof = job::prove(drawing, &setup, &text)?;
-    let segments = || plan.loops.iter().flat_map(|l| &l.segments);
+    let segments = plan.loops.iter().flat_map(|l| &l.segments);
     Ok(Row {
         stepover: plan.stepover,
         cleanup,
         length: figures.cut_length,
-        loop_length: plan.passes as f64 * segments().map(Segment::length).sum::<f64>(),
+        loop_length: plan.passes as f64 * segments.map(Segment::length).sum::<f64>(),
         cleanup_length: plan.passes as f64 * plan.cleanups.iter().fold(0.0, |sum, c| sum + c.length),
         seconds: figures.machine_seconds,
         retracts: figures.retracts,

@@ -1,13 +1,13 @@
 //! Steps 2 to 4 for all pieces of an engine: their paths, and where they hang on loops.
 
 use super::forest::Forest;
-use super::prune::tours;
+use super::prune::{Tour, tours};
 use super::{Cleanup, Exit, Piece, Place, Uncut, Way, trusted};
 use crate::link::fitted;
 use crate::plan::order::Orderer;
-use crate::plan::track::Insertion;
-use pocketry_geom::Segment;
+use crate::plan::track::{Insertion, WayIn};
 use pocketry_geom::offset::degenerate_slack;
+use pocketry_geom::{Point, Segment};
 
 /// Places of a centre that are tried as the one where its path begins.
 pub(crate) const CANDIDATES: usize = 12;
@@ -30,7 +30,8 @@ impl Gathered {
     }
 
     /// Adds a detour, which has segments, of a track.
-    pub(crate) fn add(&mut self, kind: Uncut, track: u32, insertion: Insertion) {
+    pub(crate) fn add(&mut self, kind: Uncut, track: u32, mut insertion: Insertion) {
+        insertion.way_in.iter_mut().for_each(|w| w.cleanup = self.cleanups.len());
         self.cleanups.push(Cleanup { kind, start: insertion.tour[0].start(), length: insertion.length() });
         self.insertions.push((track, insertion));
     }
@@ -46,8 +47,7 @@ pub(crate) fn gather(pieces: &[(usize, Piece)], orderer: &Orderer<'_>, radius: f
         } else {
             rooted(piece, radius)
         };
-        for (track, mut insertion) in found {
-            insertion.tour = fitted(&insertion.tour, FIT_SHARE * degenerate_slack(radius));
+        for (track, insertion) in found {
             gathered.add(piece.kind(), track, insertion);
         }
     }
@@ -58,27 +58,56 @@ pub(crate) fn gather(pieces: &[(usize, Piece)], orderer: &Orderer<'_>, radius: f
 fn rooted(piece: &Piece, radius: f64) -> Vec<(u32, Insertion)> {
     let roots: Vec<u32> = piece.roots.iter().map(|r| r.0).collect();
     let tours = tours(&Forest::new(piece, &roots), radius);
-    let hung = |(&(_, (track, segment)), tour): (&(u32, (u32, u32)), Vec<Segment>)| {
-        (track, Insertion { segment: segment as usize, at: None, tour })
+    let hung = |(&(_, (track, segment)), tour): (&(u32, (u32, u32)), Tour)| {
+        Some((track, insertion(segment as usize, None, &tour, [piece.least; 2], radius)?))
     };
-    piece.roots.iter().zip(tours).map(hung).filter(|(_, i)| !i.tour.is_empty()).collect()
+    piece.roots.iter().zip(tours).filter_map(hung).collect()
+}
+
+/// A tour as a detour, unless nothing is uncut; with the least clearance on it, and that at its tip.
+fn insertion(
+    segment: usize,
+    at: Option<Point>,
+    tour: &Tour,
+    [least, at_tip]: [f64; 2],
+    radius: f64,
+) -> Option<Insertion> {
+    let fitted = |path: &[Segment]| fitted(path, FIT_SHARE * degenerate_slack(radius));
+    let (mut path, back) = (fitted(&tour.out), fitted(&tour.back));
+    path.extend(&back);
+    if path.is_empty() {
+        return None;
+    }
+    let way_in = Some(WayIn { segments: back, clearance: at_tip, cleanup: 0 });
+    Some(Insertion { segment, at, tour: path, clearance: least, way_in })
 }
 
 /// The path of a piece without inner loops: from the outer one, straight away from the wall, and from there.
 fn center(piece: &Piece, orderer: &Orderer<'_>, level: usize, radius: f64) -> Option<(u32, Insertion)> {
     let of_place = piece.exits.chunk_by(|a, b| a.place == b.place);
     let tried = of_place.filter_map(|exits| exits.iter().find_map(|exit| through(piece, exit, orderer, level, radius)));
-    tried.min_by(|a, b| a.1.length().total_cmp(&b.1.length())).filter(|(_, i)| !i.tour.is_empty())
+    let length = |found: &(u32, Option<Insertion>)| found.1.as_ref().map_or(0.0, Insertion::length);
+    let (track, insertion) = tried.min_by(|a, b| length(a).total_cmp(&length(b)))?;
+    Some((track, insertion?))
 }
 
-/// The same by one of its exits, if that lies on a loop.
-fn through(piece: &Piece, exit: &Exit, orderer: &Orderer<'_>, level: usize, radius: f64) -> Option<(u32, Insertion)> {
+/// The same by one of its exits, if that lies on a loop: none is needed where that leaves nothing.
+fn through(
+    piece: &Piece,
+    exit: &Exit,
+    orderer: &Orderer<'_>,
+    level: usize,
+    radius: f64,
+) -> Option<(u32, Option<Insertion>)> {
     let landing = orderer.landing(exit.at, exit.site, level, &|_| true)?;
     let (foot, at) = (landing.point, piece.places[exit.place as usize].at);
-    let mut piece = Piece { places: piece.places.clone(), ways: piece.ways.clone(), ..Piece::default() };
+    let mut piece =
+        Piece { least: piece.least, places: piece.places.clone(), ways: piece.ways.clone(), ..Piece::default() };
     let root = piece.places.len() as u32;
     piece.places.push(Place { at: foot, reach: -1.0 });
     piece.ways.push(Way { ends: [root, exit.place], segment: Segment::line(foot, at) });
     let tour = tours(&Forest::new(&piece, &[root]), radius).pop()?;
-    Some((landing.track, Insertion { segment: landing.segment, at: Some(foot), tour }))
+    let base = orderer.levels.tracks[landing.track as usize].distance;
+    let at_tip = if tour.out.len() > 1 { piece.least } else { base };
+    Some((landing.track, insertion(landing.segment, Some(foot), &tour, [base, at_tip], radius)))
 }

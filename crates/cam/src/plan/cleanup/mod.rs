@@ -17,35 +17,42 @@
 //! 3. From the tips of each tree the path is cut back as far as what lies behind stays within `r` of its end (`prune`).
 //!    Nothing may be left of it: then nothing was uncut.
 //! 4. What is left is travelled out and back when the tool passes the root, without a retract.
-//! 5. At a corner of the loop the way out and back becomes a drop that the tool enters and leaves straight on (`rounded`).
+//! 5. It hangs on the loop as that is travelled (`hang`), entered and left in the loop's direction: at a corner as a bulge that
+//!    cuts the corner (`bulge`), or as a drop, where a side is smooth as a circle (`rounded`).
+//! 6. A group of loops may start at the tip of a path: then it is travelled once. Where the tool lifts does not depend on clean-up.
 //!
 //! Departures from the paper. It takes a range for uncut if its clean-up curve is farther than `r` from *one* degenerate
 //! vertex; here it must be farther from every place of the path. It mills along the clean-up curve; here the
-//! path is the skeleton, which is shorter and as clear of walls as can be. Where no drop can be made of it, the tool turns where
-//! the skeleton does, and at its tips.
+//! path is the skeleton, which is shorter and as clear of walls as can be. Long paths into narrow corners that branch or bend
+//! are left as they are: there the tool turns where the skeleton does, and at its tips.
 //!
 //! Along a line or a short arc `|s - p| + reach(p)`, which decides whether a stop at `s` serves `p`, is convex where clearance
 //! is (lines, points, arcs seen from outside); arcs seen from inside are walked in steps of [`CLEANUP_STEP`] radii. So ends
 //! decide, but for less than a tenth of what the proof lets pass.
 
+mod bulge;
 mod forest;
 mod gather;
+mod hang;
 mod pieces;
 mod prune;
 mod rounded;
 #[cfg(test)]
 mod tests;
 
-use super::levels::Levels;
-use super::track::{Insertion, Track};
+use crate::job::PocketJob;
 use pocketry_geom::offset::degenerate_slack;
 use pocketry_geom::skeleton::SiteId;
 use pocketry_geom::{Point, Segment};
 use serde::Serialize;
 
 pub(super) use gather::{CANDIDATES, Gathered, gather};
+pub(super) use hang::{hang, mark_entrances};
 pub(super) use pieces::of_skeleton;
-use rounded::drop_around;
+
+/// Share of what the clearance at a tip exceeds the first distance that the radius of a helix there may be: half of it, less
+/// what ways may stray from where clearance is known.
+const TIP_ROOM: f64 = 0.35;
 
 /// What kind of place would stay uncut.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -65,7 +72,7 @@ pub struct Cleanup {
     pub kind: Uncut,
     /// Where it starts and ends.
     pub start: Point,
-    /// Its length, there and back, mm.
+    /// Its length, mm: there and back, or one way where the tool comes in by it.
     pub length: f64,
 }
 
@@ -99,6 +106,8 @@ pub(crate) struct Exit {
 /// might be uncut there. It is all that an engine has to provide.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Piece {
+    /// Clearance on all of its ways, at the least, mm.
+    pub(crate) least: f64,
     pub(crate) places: Vec<Place>,
     pub(crate) ways: Vec<Way>,
     /// The degenerate vertices: places on the inner loop, with its track and the segment of it that starts there.
@@ -117,38 +126,11 @@ impl Piece {
     }
 }
 
-/// Adds clean-up paths to the loops, rounded where they can be, for a tool of this radius.
-pub(super) fn add(levels: &mut Levels, mut gathered: Gathered, radius: f64) -> Vec<Cleanup> {
-    let outermost = levels.tracks.iter().map(|t| t.distance).fold(f64::INFINITY, f64::min);
-    let mut of_track: Vec<Vec<(usize, Insertion)>> = vec![Vec::new(); levels.tracks.len()];
-    for (k, (track, insertion)) in gathered.insertions.into_iter().enumerate() {
-        of_track[track as usize].push((k, insertion));
-    }
-    for (track, mut insertions) in levels.tracks.iter_mut().zip(of_track) {
-        let corner = |i: &Insertion| i.at.is_none_or(|p| p == track.segments[i.segment].start()).then_some(i.segment);
-        insertions.sort_by_key(|(_, i)| corner(i));
-        for own in insertions.chunk_by_mut(|a, b| corner(&a.1) == corner(&b.1)) {
-            // What is not the only one there is left as it is.
-            if let [(k, insertion)] = own
-                && corner(insertion).is_some()
-            {
-                round(track, insertion, trusted(radius), track.distance - outermost);
-                gathered.cleanups[*k].length = insertion.length();
-            }
-        }
-        track.insert(insertions.into_iter().map(|i| i.1).collect());
-    }
-    gathered.cleanups
-}
-
-/// Makes a drop of a path that leaves the start of a segment, where there is one.
-fn round(track: &Track, insertion: &mut Insertion, radius: f64, room: f64) {
-    let k = insertion.segment;
-    let before = &track.segments[(k + track.segments.len() - 1) % track.segments.len()];
-    let tangents = [before.end_tangent(), track.segments[k].start_tangent()];
-    if let Some(drop) = drop_around(&insertion.tour, tangents, radius, room) {
-        insertion.tour = drop;
-    }
+/// The radius of a helix that ends at the tip of a way, where there is room for one: it stays within its diameter of the tip.
+pub(super) fn tip_helix(clearance: f64, job: &PocketJob, first: f64) -> Option<f64> {
+    let room = TIP_ROOM * (clearance - first);
+    let [least, largest] = [job.entry.least_helix, job.entry.largest_helix].map(|share| share * job.tool.radius());
+    (room >= least).then(|| room.min(largest))
 }
 
 /// What a tool of this radius is trusted to cut about its axis: a slack for chords and rounding is left.

@@ -142,7 +142,7 @@ impl Range<'_> {
             let place = &mut place_of[sets.find(k) as usize];
             if *place == u32::MAX {
                 *place = pieces.len() as u32;
-                pieces.push(Named::default());
+                pieces.push(Named { piece: Piece { least: self.low, ..Piece::default() }, ..Named::default() });
             }
             *place as usize
         };

@@ -17,20 +17,36 @@ impl Duty {
     }
 }
 
-/// The tours: for each root a closed path from it; empty where nothing is uncut.
-pub(super) fn tours(forest: &Forest, radius: f64) -> Vec<Vec<Segment>> {
+/// A closed path from a root, straight to its farthest tip and back by all others.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Tour {
+    /// From the root to the tip; empty where nothing is uncut.
+    pub(super) out: Vec<Segment>,
+    /// From there to the root.
+    pub(super) back: Vec<Segment>,
+}
+
+/// The tour of each root.
+pub(super) fn tours(forest: &Forest, radius: f64) -> Vec<Tour> {
     let kept = kept(forest, radius);
+    let mut depths = vec![0.0_f64; forest.nodes.len()];
     let mut children: Vec<Vec<u32>> = vec![Vec::new(); forest.nodes.len()];
     for &n in forest.order.iter().rev() {
         let parent = forest.nodes[n as usize].parent;
-        if parent != NONE && kept[n as usize].is_some() {
+        if let (true, Some(way)) = (parent != NONE, &kept[n as usize]) {
             children[parent as usize].push(n);
+            depths[parent as usize] = depths[parent as usize].max(depths[n as usize] + way.length());
         }
+    }
+    let depth = |n: u32| depths[n as usize] + kept[n as usize].map_or(0.0, |s| s.length());
+    for c in &mut children {
+        c.sort_by(|&a, &b| depth(b).total_cmp(&depth(a)));
     }
     forest.roots.iter().map(|&root| tour(root, &children, &kept)).collect()
 }
 
-/// For each node the part of the way from its parent that the tool has to travel.
+/// For each node the part of the way from its parent that the tool has to travel. A duty is handed on towards the root as long
+/// as it is served there, and past what does not serve it to a node that does: it asks for a visit there, but not here.
 fn kept(forest: &Forest, radius: f64) -> Vec<Option<Segment>> {
     let mut kept: Vec<Option<Segment>> = vec![None; forest.nodes.len()];
     let mut travelled = vec![false; forest.nodes.len()];
@@ -42,8 +58,17 @@ fn kept(forest: &Forest, radius: f64) -> Vec<Option<Segment>> {
         if node.place.reach >= 0.0 {
             own.push(Duty { at: node.place.at, within: (radius - node.place.reach).max(0.0) });
         }
-        let stop = if travelled[n as usize] { None } else { last_stop(&way, &own) };
         let parent = node.parent as usize;
+        if !travelled[n as usize] {
+            own.retain(|d| match server(forest, node.parent, d) {
+                Some(ancestor) if ancestor != node.parent => {
+                    duties[ancestor as usize].push(*d);
+                    false
+                }
+                _ => true,
+            });
+        }
+        let stop = if travelled[n as usize] { None } else { last_stop(&way, &own) };
         match stop {
             Some(Stop::Start) => duties[parent].append(&mut own),
             Some(Stop::Inside(p)) => {
@@ -60,6 +85,19 @@ fn kept(forest: &Forest, radius: f64) -> Vec<Option<Segment>> {
         }
     }
     kept
+}
+
+/// The first of a node and those on its way to the root from which a duty is served.
+fn server(forest: &Forest, from: u32, duty: &Duty) -> Option<u32> {
+    let mut at = from;
+    while at != NONE {
+        let node = &forest.nodes[at as usize];
+        if duty.served_from(node.place.at) {
+            return Some(at);
+        }
+        at = node.parent;
+    }
+    None
 }
 
 /// Where on a way from the root the tool may stop.
@@ -91,16 +129,17 @@ fn room(line: &Line, length: f64, duty: Duty) -> f64 {
 }
 
 /// Depth first through what is kept, there and back.
-fn tour(root: u32, children: &[Vec<u32>], kept: &[Option<Segment>]) -> Vec<Segment> {
-    let mut tour = Vec::new();
+fn tour(root: u32, children: &[Vec<u32>], kept: &[Option<Segment>]) -> Tour {
+    let mut tour = Tour::default();
     let mut stack: Vec<(u32, usize)> = vec![(root, 0)];
     while let Some((node, next)) = stack.last_mut() {
         if let Some(&child) = children[*node as usize].get(*next) {
             *next += 1;
-            tour.extend(kept[child as usize]);
+            let path = if tour.back.is_empty() { &mut tour.out } else { &mut tour.back };
+            path.extend(kept[child as usize]);
             stack.push((child, 0));
         } else {
-            tour.extend(kept[*node as usize].map(|s| s.reversed()).filter(|_| stack.len() > 1));
+            tour.back.extend(kept[*node as usize].map(|s| s.reversed()).filter(|_| stack.len() > 1));
             stack.pop();
         }
     }

@@ -5,21 +5,48 @@
 //! the tool's radius `r` of the path. Outside the drop, the way from `x` to the path crosses the drop, which is nearer. Inside,
 //! the drop is no farther than the radius of its arc, which is at most `r`.
 //!
-//! No place of a drop is farther from the corner than its tip, and clearance falls no faster than way is made: so it stays as clear
-//! of the walls as the outermost loop when its length is no more than the loop lies farther inside than that one.
+//! Clearance falls no faster than way is made. So a drop is as clear of walls as the outermost loop when its tip is no farther from
+//! the corner than the loop lies inside that one, or no place of it farther from the path than that keeps to spare ([`Room`]).
 
 use pocketry_geom::{Arc, Point, Segment, Vec2};
 
 /// So many times as long as the path that it replaces a drop may be: half a circle's length over its diameter, and no more.
 const LONGEST: f64 = 1.6;
 
+/// Cosine of the angle between two directions that count as square to each other.
+const SQUARE: f64 = 0.02;
+
+/// How far from what the tool may stray until it is as near to walls as on the outermost loop, mm.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Room {
+    /// From the loop on which the path hangs.
+    pub(super) about_loop: f64,
+    /// From the path.
+    pub(super) about_tour: f64,
+}
+
+impl Room {
+    /// Whether a path instead of a tour has room whose farthest place is so far away from the loop.
+    pub(super) fn holds(&self, path: &[Segment], tour: &[Segment], farthest: f64) -> bool {
+        let apart = |p: Point| tour.iter().map(|s| s.distance(p)).fold(f64::INFINITY, f64::min);
+        let places = || path.iter().flat_map(|s| (0..=SAMPLES).map(|k| s.at(f64::from(k) / f64::from(SAMPLES))));
+        farthest <= self.about_loop || places().all(|p| apart(p) <= SPARED * self.about_tour)
+    }
+}
+
+/// Places of each segment of a path at which it is seen how far away it is.
+const SAMPLES: u32 = 8;
+
+/// Share of the room about a path that is used: the rest is for what is between the samples.
+const SPARED: f64 = 0.8;
+
 /// The drop about a closed path from a corner where the tool arrives in the first direction and leaves in the second one, with
-/// an arc of at most this radius, no longer than `room`; `None` where there is none or it takes too much longer.
+/// an arc of at most this radius; `None` where there is none or it takes too much longer.
 pub(super) fn drop_around(
     tour: &[Segment],
     [before, after]: [Vec2; 2],
     radius: f64,
-    room: f64,
+    room: Room,
 ) -> Option<Vec<Segment>> {
     let corner = tour.first()?.start();
     let turns_left = before.cross(after) >= 0.0;
@@ -36,9 +63,10 @@ pub(super) fn drop_around(
     for p in hull_points(tour).filter(|&p| p != corner) {
         center_at = center_at.max(around(p)?);
     }
-    if center_at == 0.0 || center_at * sin > radius || center_at * (1.0 + sin) > room {
+    if center_at == 0.0 || center_at * sin > radius {
         return None;
     }
+    let tip_at = center_at * (1.0 + sin);
     let leg = center_at * cos;
     let [start, end] = [corner + before * leg, corner - after * leg];
     let (center, radius) = (corner + axis * center_at, center_at * sin);
@@ -47,11 +75,33 @@ pub(super) fn drop_around(
     let path = [Segment::line(corner, start), arc(start, farthest), arc(farthest, end), Segment::line(end, corner)];
     let drop: Vec<Segment> = path.into_iter().filter(|s| s.start() != s.end()).collect();
     let length = |path: &[Segment]| path.iter().map(Segment::length).sum::<f64>();
-    (length(&drop) <= LONGEST * length(tour)).then_some(drop)
+    (length(&drop) <= LONGEST * length(tour) && room.holds(&drop, tour, tip_at)).then_some(drop)
+}
+
+/// The circle about a straight path, out and back, that leaves square to a smooth place of a loop which is travelled in these
+/// directions before and after it. Inside the loop the path leads straight away from the wall, and so the circle is as clear of
+/// walls as the loop; outside it must be no wider than there is room about the loop.
+pub(super) fn circle_about(
+    tour: &[Segment],
+    [before, after]: [Vec2; 2],
+    radius: f64,
+    room: Room,
+) -> Option<Vec<Segment>> {
+    let [Segment::Line(out), Segment::Line(_)] = tour else { return None };
+    let (foot, tip) = (out.start, out.end);
+    let (aside, center) = (out.direction(), foot.midpoint(tip));
+    let half = foot.distance(center);
+    let is_inside = before.cross(aside) > 0.0;
+    let is_square = [before, after].iter().all(|t| t.dot(aside).abs() <= SQUARE && t.dot(before) > 0.0);
+    if !is_square || half > radius || (!is_inside && 2.0 * half > room.about_loop) {
+        return None;
+    }
+    let arc = |start, end| Segment::Arc(Arc { start, end, center, radius: half, ccw: is_inside });
+    Some(vec![arc(foot, tip), arc(tip, foot)])
 }
 
 /// The direction out of a corner in the middle between straight on from before it and straight back from after it.
-fn axis(before: Vec2, after: Vec2, turns_left: bool) -> Vec2 {
+pub(super) fn axis(before: Vec2, after: Vec2, turns_left: bool) -> Vec2 {
     let (across, along) = (before - after, before + after);
     if across.length_squared() > along.length_squared() {
         across.normalized()
@@ -63,7 +113,7 @@ fn axis(before: Vec2, after: Vec2, turns_left: bool) -> Vec2 {
 }
 
 /// Points whose convex hull holds a path.
-fn hull_points(path: &[Segment]) -> impl Iterator<Item = Point> + '_ {
+pub(super) fn hull_points(path: &[Segment]) -> impl Iterator<Item = Point> + '_ {
     let control = |s: &Segment| match s {
         // Where the tangents at both ends meet.
         Segment::Arc(a) => {

@@ -63,7 +63,8 @@ pub(super) fn complete(
             let kind = kind(curve);
             let spokes = swept.spokes(ground, curve);
             for (landing, tour) in spokes.iter().filter_map(|spoke| spoke.hung(ground, orderer)) {
-                let insertion = Insertion { segment: landing.segment, at: Some(landing.point), tour };
+                let (segment, at) = (landing.segment, Some(landing.point));
+                let insertion = Insertion { segment, at, tour, clearance: ground.base, way_in: None };
                 gathered.add(kind, landing.track, insertion);
             }
         }

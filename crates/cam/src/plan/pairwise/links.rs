@@ -50,9 +50,14 @@ impl Builder {
         Self { low, allowance, gap: radius, places, fibres, ways, chains, ends, roots, known }
     }
 
+    /// How far from a place of this clearance the points may lie that it answers for. Where fibres end for the inner loop's
+    /// sake, at the clearance `high`, that loop answers for them.
+    fn reach(&self, clearance: f64, high: f64) -> f64 {
+        if clearance < high { (clearance - self.low).max(0.0) + self.allowance } else { -1.0 }
+    }
+
     /// Adds a place to the chain that `before` belongs to, or to a new one.
-    fn add_place(&mut self, at: Point, clearance: f64, fibre: Option<Fibre>, before: Option<u32>) -> u32 {
-        let reach = (clearance - self.low).max(0.0) + self.allowance;
+    fn add_place(&mut self, at: Point, reach: f64, fibre: Option<Fibre>, before: Option<u32>) -> u32 {
         let place = self.places.len() as u32;
         self.places.push(Place { at, reach });
         self.fibres.push(fibre);
@@ -77,11 +82,11 @@ impl Builder {
             }
             match chain {
                 Some(k) if self.places[k as usize].at.distance(fibre.end) <= MERGED * self.allowance => {
-                    let reach = (fibre.clearance - self.low).max(0.0) + self.allowance;
+                    let reach = self.reach(fibre.clearance, high);
                     self.places[k as usize].reach = self.places[k as usize].reach.max(reach);
                 }
                 _ => {
-                    let next = self.add_place(fibre.end, fibre.clearance, Some(*fibre), chain);
+                    let next = self.add_place(fibre.end, self.reach(fibre.clearance, high), Some(*fibre), chain);
                     match chain {
                         Some(k) => self.join(k, next),
                         None => self.ends.push(next),
@@ -99,7 +104,7 @@ impl Builder {
 
     fn add_root(&mut self, at: Point, clearance: f64) {
         if self.known.insert(bits(at)) {
-            let place = self.add_place(at, clearance, None, None);
+            let place = self.add_place(at, self.reach(clearance, clearance), None, None);
             self.roots.push((place, at));
             self.ends.push(place);
         }
@@ -126,10 +131,11 @@ impl Builder {
         for (&set, members) in &members {
             let places = members.iter().map(|&k| self.places[k as usize]).collect();
             members.iter().zip(0..).for_each(|(&k, new)| place_of[k as usize] = new);
-            pieces.insert(set, Piece { places, ..Piece::default() });
+            pieces.insert(set, Piece { least: self.low, places, ..Piece::default() });
         }
         for way in &self.ways {
             if let Some(piece) = pieces.get_mut(&sets.find(way.ends[0])) {
+                piece.least = piece.least.min(self.least_on(way));
                 piece.ways.push(Way { ends: way.ends.map(|e| place_of[e as usize]), segment: way.segment });
             }
         }
@@ -147,8 +153,15 @@ impl Builder {
                 }
             }
         }
-        let least = self.allowance;
+        // Tips alone lie where the outer loop cuts.
+        let least = (1.0 + MERGED) * self.allowance;
         pieces.into_values().filter(|p| p.places.iter().any(|place| place.reach > least)).collect()
+    }
+
+    /// The least clearance on a way: it falls no faster than way is made from both ends.
+    fn least_on(&self, way: &Way) -> f64 {
+        let fallen = |place: u32| (self.places[place as usize].reach - self.allowance).max(0.0);
+        self.low + 0.5 * (fallen(way.ends[0]) + fallen(way.ends[1]) - way.segment.length())
     }
 
     /// Whether a place is where a branch comes down to the lower clearance: nothing goes on from there. Tips of a fan of
@@ -221,6 +234,28 @@ impl Grid {
         let (x, y) = self.cell(p);
         for cell in (-1..=1).flat_map(|i| (-1..=1).map(move |j| (x + i, y + j))) {
             self.cells.get(&cell).into_iter().flatten().for_each(|&k| found(k));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pocketry_geom::vec2;
+
+    /// Tips of branches are where the envelope turns, and clearance there is that of the envelope but for rounding. Hundreds of
+    /// spokes of 0.03 mm were made of them in a die cavity.
+    #[test]
+    fn a_tip_alone_is_no_piece() {
+        let fibre = |clearance: f64, first: bool| {
+            let (foot, normal) = (Point::ORIGIN, vec2(0.0, 1.0));
+            Fibre { site: 0, foot, normal, end: foot + normal * clearance, clearance, first }
+        };
+        for (clearance, count) in [(5.0 + 1e-11, 0), (5.5, 1)] {
+            let mut builder = Builder::new(5.0, 0.02, 5.0);
+            let fibres = vec![fibre(6.0, false), fibre(clearance, true), fibre(6.0, false)];
+            builder.add(&Curve { fibres, roots: None }, 10.0);
+            assert_eq!(builder.pieces(0.0, &HashMap::new()).len(), count, "{clearance}");
         }
     }
 }

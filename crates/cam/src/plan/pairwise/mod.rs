@@ -21,6 +21,7 @@ mod nearby;
 mod nesting;
 mod ranges;
 
+use super::cleanup::Gathered;
 use super::order::Orderer;
 use super::{MOST_LEVELS, Plan, PlanError, Strategy, clamped_stepover, cleanup, moves};
 use crate::job::PocketJob;
@@ -70,15 +71,16 @@ pub fn plan_pairwise(region: &Region, job: &PocketJob) -> Result<Plan, PlanError
     let mut levels = nesting::levels(&offsets);
     let ways = StraightWays::new(&offsetter);
     let radius = job.tool.radius();
-    let mut cleanups = Vec::new();
+    let mut gathered = Gathered::default();
     if job.cleanup && stepover > radius {
         let orderer = Orderer::new(&ways, &levels);
         let found = ranges::ranges(&offsetter, &offsets, &levels, stepover, radius)?;
-        let mut gathered = cleanup::gather(&found.pieces, &orderer, radius);
+        gathered = cleanup::gather(&found.pieces, &orderer, radius);
         cover::complete(&mut gathered, &found.grounds, &offsetter, &orderer, radius);
-        cleanups = cleanup::add(&mut levels, gathered, radius);
+        cleanup::mark_entrances(&mut levels, &gathered, job, first);
     }
     let mut chains = Orderer::new(&ways, &levels).chains();
+    let cleanups = cleanup::hang(&mut chains, gathered, &levels, job, first);
     if straight.is_some() {
         let tolerance = FIT_SHARE * PairwiseEngine::chord_tolerance(radius);
         chains.iter_mut().flat_map(|c| &mut c.steps).for_each(|s| s.cut.segments = rounded(&s.cut.segments, tolerance));
