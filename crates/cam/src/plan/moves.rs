@@ -1,6 +1,5 @@
 //! From chains to moves: passes in depth, entries, lifts.
 
-use super::cleanup::tip_helix;
 use super::levels::Levels;
 use super::order::{Chain, Start, Step};
 use super::report::{EntryKind, Group, Link, Plan, PlannedLoop, Warning};
@@ -128,9 +127,7 @@ fn entry(chain: &Chain, job: &PocketJob, first: f64) -> EntryKind {
     let radius = job.tool.radius();
     let (least, largest) = (job.entry.least_helix * radius, job.entry.largest_helix * radius);
     let cut = &chain.steps[0].cut;
-    if let Start::Tip { clearance, .. } = chain.start
-        && let Some(radius) = tip_helix(clearance, job, first)
-    {
+    if let Start::Tip { helix: radius, .. } = chain.start {
         // It ends in the direction in which the way from the tip begins.
         let (tip, along) = (chain.steps[0].link[0].start(), chain.steps[0].link[0].start_tangent());
         let aside = if job.direction == Direction::Climb { along.left() } else { along.right() };

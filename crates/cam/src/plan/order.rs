@@ -29,8 +29,8 @@ pub(super) enum Start {
     Peak(Point),
     /// At the tip of a clean-up path.
     Tip {
-        /// Clearance there, at the least, mm.
-        clearance: f64,
+        /// Radius of the helix that ends there, mm.
+        helix: f64,
         /// Which one.
         cleanup: usize,
     },
@@ -151,8 +151,8 @@ impl<'a> Orderer<'a> {
         let clearance = peak.as_ref().filter(|_| landing.is_some()).map(|p| p.clearance);
         let clearance = clearance.unwrap_or(self.levels.tracks[track as usize].distance);
         let entrance = self.levels.tracks[track as usize].entrance.as_ref();
-        if let Some(Entrance { way, segment, at }) = entrance.filter(|_| from_tips) {
-            let start = Start::Tip { clearance: way.clearance, cleanup: way.cleanup };
+        if let Some(Entrance { way, helix, segment, at }) = entrance.filter(|_| from_tips) {
+            let start = Start::Tip { helix: *helix, cleanup: way.cleanup };
             let landing = Landing { track, segment: *segment, point: *at };
             let step = self.step(landing, way.segments.clone(), LinkKind::CleanUp);
             return Chain { start, clearance, steps: vec![step], pocket };

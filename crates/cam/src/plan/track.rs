@@ -29,6 +29,8 @@ pub(crate) struct Track {
 #[derive(Clone, Debug)]
 pub(crate) struct Entrance {
     pub(crate) way: WayIn,
+    /// Radius of the helix down to its tip, mm.
+    pub(crate) helix: f64,
     pub(crate) segment: usize,
     pub(crate) at: Point,
 }

@@ -2,15 +2,19 @@
 
 use super::bulge::{Bulge, Corner, Spot};
 use super::rounded::{Room, circle_about, drop_around};
-use super::{Cleanup, Gathered, tip_helix, trusted};
+use super::{Cleanup, Gathered, trusted};
 use crate::job::PocketJob;
 use crate::plan::levels::Levels;
 use crate::plan::order::{Chain, Start};
-use crate::plan::track::{Cut, Entrance, Insertion, WayIn, length_of};
-use pocketry_geom::Segment;
+use crate::plan::track::{Cut, Entrance, Insertion, length_of};
+use pocketry_geom::{Point, Segment};
 
 /// Share of the loop between two clean-up paths that the bulges of both may replace, each.
 const REPLACED: f64 = 0.45;
+
+/// Share of what the clearance at a tip exceeds the first distance that the radius of a helix there may be: half of it, less
+/// what ways may stray from where clearance is known.
+const TIP_ROOM: f64 = 0.35;
 
 /// A way in is at least so many times the tool's radius long.
 const WORTH: f64 = 0.5;
@@ -20,14 +24,21 @@ const WORTH: f64 = 0.5;
 pub(crate) fn mark_entrances(levels: &mut Levels, gathered: &Gathered, job: &PocketJob, first: f64) {
     for (track, insertion) in &gathered.insertions {
         let track = &mut levels.tracks[*track as usize];
-        let has_room = |w: &&WayIn| tip_helix(w.clearance, job, first).is_some();
-        let Some(way) = insertion.way_in.as_ref().filter(has_room) else { continue };
+        let Some(way) = &insertion.way_in else { continue };
+        let Some(helix) = tip_helix(way.clearance, job, first) else { continue };
         let longest = track.entrance.as_ref().map_or(0.0, |e| length_of(&e.way.segments));
         if length_of(&way.segments) > longest.max(WORTH * job.tool.radius()) {
             let at = insertion.at.unwrap_or(track.segments[insertion.segment].start());
-            track.entrance = Some(Entrance { way: way.clone(), segment: insertion.segment, at });
+            track.entrance = Some(Entrance { way: way.clone(), helix, segment: insertion.segment, at });
         }
     }
+}
+
+/// The radius of a helix that ends at the tip of a way, where there is room for one: it stays within its diameter of the tip.
+fn tip_helix(clearance: f64, job: &PocketJob, first: f64) -> Option<f64> {
+    let room = TIP_ROOM * (clearance - first);
+    let [least, largest] = [job.entry.least_helix, job.entry.largest_helix].map(|share| share * job.tool.radius());
+    (room >= least).then(|| room.min(largest))
 }
 
 /// Hangs clean-up paths on the loops of chains.
@@ -115,9 +126,9 @@ impl Hanging<'_> {
             let before = if k == 0 { 0.0 } else { along[k - 1] };
             let after = along.get(k + 1).copied().unwrap_or(starts[starts.len() - 1]);
             let free = REPLACED * (along[k] - before).min(after - along[k]);
-            match self.smooth(&insertion, free) {
-                // What is not the only one there is left as it is.
-                _ if along[k] == after || (k > 0 && along[k] == before) => {}
+            // What is not the only one there is left as it is.
+            let is_only = along[k] < after && (k == 0 || along[k] > before);
+            match if is_only { self.smooth(&insertion, free) } else { None } {
                 Some(Smooth::Bulge(bulge)) => {
                     self.cleanups[cleanup].length = bulge.extra;
                     path.bypass(&bulge);
@@ -182,22 +193,22 @@ struct Path<'a> {
 }
 
 impl Path<'_> {
+    /// What is left of a segment, up to a point of it or all; `None` for nothing.
+    fn part(&self, k: usize, to: Option<Point>) -> Option<Segment> {
+        let (mut part, start) = (self.cut[k], self.cut[k].start());
+        if let Some(to) = to {
+            part = if to == start { return None } else { part.split_at(to).0 };
+        }
+        if k == self.done.segment && self.done.at != start {
+            part = if self.done.at == part.end() { return None } else { part.split_at(self.done.at).1 };
+        }
+        Some(part)
+    }
+
     /// Goes on along the loop.
     fn advance(&mut self, to: Spot) {
         for k in self.done.segment..=to.segment {
-            let mut part = self.cut[k];
-            if k == to.segment {
-                if to.at == part.start() {
-                    break;
-                }
-                part = part.split_at(to.at).0;
-            }
-            if k == self.done.segment && self.done.at != part.start() {
-                part = part.split_at(self.done.at).1;
-            }
-            if part.start() != part.end() {
-                self.segments.push(part);
-            }
+            self.segments.extend(self.part(k, (k == to.segment).then_some(to.at)));
         }
         self.done = to;
     }
@@ -216,17 +227,9 @@ impl Path<'_> {
 
     /// The whole loop, with what comes last.
     fn finish(mut self, mut last: Vec<Segment>) -> Vec<Segment> {
-        let (Some(end), first) = (self.cut.last(), self.done.segment) else { return last };
-        let rest = end.end();
-        for k in first..self.cut.len() {
-            let segment = self.cut[k];
-            let part =
-                if k == first && self.done.at != segment.start() { segment.split_at(self.done.at).1 } else { segment };
-            if part.start() != part.end() || k > first {
-                self.segments.push(part);
-            }
+        for k in self.done.segment..self.cut.len() {
+            self.segments.extend(self.part(k, None));
         }
-        debug_assert!(self.segments.last().is_none_or(|s| s.end() == rest));
         self.segments.append(&mut last);
         self.segments
     }

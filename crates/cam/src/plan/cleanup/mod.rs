@@ -40,7 +40,6 @@ mod rounded;
 #[cfg(test)]
 mod tests;
 
-use crate::job::PocketJob;
 use pocketry_geom::offset::degenerate_slack;
 use pocketry_geom::skeleton::SiteId;
 use pocketry_geom::{Point, Segment};
@@ -49,10 +48,6 @@ use serde::Serialize;
 pub(super) use gather::{CANDIDATES, Gathered, gather};
 pub(super) use hang::{hang, mark_entrances};
 pub(super) use pieces::of_skeleton;
-
-/// Share of what the clearance at a tip exceeds the first distance that the radius of a helix there may be: half of it, less
-/// what ways may stray from where clearance is known.
-const TIP_ROOM: f64 = 0.35;
 
 /// What kind of place would stay uncut.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -124,13 +119,6 @@ impl Piece {
             _ => Uncut::Neck,
         }
     }
-}
-
-/// The radius of a helix that ends at the tip of a way, where there is room for one: it stays within its diameter of the tip.
-pub(super) fn tip_helix(clearance: f64, job: &PocketJob, first: f64) -> Option<f64> {
-    let room = TIP_ROOM * (clearance - first);
-    let [least, largest] = [job.entry.least_helix, job.entry.largest_helix].map(|share| share * job.tool.radius());
-    (room >= least).then(|| room.min(largest))
 }
 
 /// What a tool of this radius is trusted to cut about its axis: a slack for chords and rounding is left.
