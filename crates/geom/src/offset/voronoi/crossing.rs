@@ -10,6 +10,7 @@ use crate::point::{Point, Vec2};
 use crate::segment::{Arc, Segment};
 use crate::skeleton::{EdgeId, Skeleton, Vertex};
 use crate::tolerance::{COORDINATE_ROUNDOFF, CROSSING, FLAT_EDGE, GRADIENT, SPOKE_RATE};
+use std::f64::consts::FRAC_PI_2;
 
 /// Halvings of an edge that leave less than rounding.
 const BISECTIONS: usize = 60;
@@ -17,6 +18,11 @@ const BISECTIONS: usize = 60;
 const POLISH: usize = 3;
 /// Halvings of a curved edge when it is drawn with chords.
 const CHORD_DEPTH: usize = 12;
+
+/// The same as a number of chords of equal length.
+const MOST_CHORDS: f64 = 4096.0;
+/// What counts as next to nothing beside a radius: how far apart centres lie, or a place from their common axis.
+const ECCENTRIC: f64 = 1.0 / 64.0;
 
 /// An edge of the skeleton, directed towards larger clearance, with the two sites that form it.
 #[derive(Clone, Copy, Debug)]
@@ -128,6 +134,9 @@ impl EdgeCurve {
             return vec![Segment::Arc(arc)];
         }
         let mut points = vec![start];
+        if let Some(around) = self.around(start, end, upward, by) {
+            return around;
+        }
         if self.high.clearance - self.low.clearance <= FLAT_EDGE * self.scale() {
             let ends = [start, end].map(|p| (self.share_of(p), p));
             self.flat_chords(ends[0], ends[1], by, CHORD_DEPTH, &mut points);
@@ -158,6 +167,29 @@ impl EdgeCurve {
         let ccw = if upward { right_ccw } else { left_ccw };
         let radius = start.distance(right).midpoint(end.distance(right));
         (constant && concentric && radius > 0.0).then_some(Arc { start, end, center: right, radius, ccw })
+    }
+
+    /// Chords of an edge that leads around two centres which are next to the same for more than a quarter of a turn: there the
+    /// chord between its ends does not tell on which side of the centres it lies.
+    fn around(&self, start: Point, end: Point, upward: bool, by: Chording) -> Option<Vec<Segment>> {
+        let ((right, right_ccw), (left, left_ccw)) = (self.right.center()?, self.left.center()?);
+        let ccw = if upward { right_ccw } else { left_ccw };
+        let center = right.midpoint(left);
+        let radius = start.distance(center).midpoint(end.distance(center));
+        let arc = Arc { start, end, center, radius, ccw };
+        if start == end || right.distance(left) > ECCENTRIC * radius || arc.sweep().abs() <= FRAC_PI_2 {
+            return None;
+        }
+        let widest = 2.0 * (1.0 - 0.5 * by.tolerance / radius).clamp(0.0, 1.0).acos();
+        let count = (arc.sweep().abs() / widest).ceil().min(MOST_CHORDS) as usize;
+        let mut points = vec![start];
+        for k in 1..count {
+            let guess = Segment::Arc(arc).at(k as f64 / count as f64);
+            let found = self.brought_to_bisector(guess);
+            points.push(Some(found).filter(|p| p.distance(guess) <= ECCENTRIC * radius)?);
+        }
+        points.push(end);
+        Some(points.windows(2).filter(|w| w[0] != w[1]).map(|w| Segment::line(w[0], w[1])).collect())
     }
 
     fn chords(&self, a: (f64, Point), b: (f64, Point), by: Chording, depth: usize, out: &mut Vec<Point>) {
@@ -226,8 +258,8 @@ impl EdgeCurve {
         let aside = offset.max(0.0).sqrt();
         let side = |p: Point| axis.cross(p - base);
         let (low, high) = (side(self.low.point), side(self.high.point));
-        if low.abs().max(high.abs()) <= CROSSING * self.scale() {
-            // from apex to apex: the ends lie on the axis and tell nothing
+        if low.abs().max(high.abs()) <= (CROSSING * self.scale()).max(ECCENTRIC * aside) {
+            // from apex to apex: the ends lie on the axis, or next to it on either side, and tell nothing
             let left = base + axis.left() * aside;
             return if self.rises_at(left) { left } else { base - axis.left() * aside };
         }
@@ -281,7 +313,11 @@ impl EdgeCurve {
     }
 
     fn on_bisector(&self, t: f64) -> Point {
-        let mut x = self.low.point.lerp(self.high.point, t);
+        self.brought_to_bisector(self.low.point.lerp(self.high.point, t))
+    }
+
+    /// The point of the bisector next to one near it.
+    fn brought_to_bisector(&self, mut x: Point) -> Point {
         for _ in 0..POLISH {
             let off = 0.5 * (self.left.distance(x) - self.right.distance(x));
             x = x + self.step(x, off, -off);

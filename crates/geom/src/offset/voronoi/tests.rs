@@ -1,11 +1,14 @@
 //! The walk on skeletons made by hand.
 
 use super::*;
+use crate::contour::Contour;
+use crate::distance::Boundary;
 use crate::offset::OffsetLoop;
 use crate::point::point;
+use crate::repair::{self, RepairOptions};
 use crate::segment::Segment;
-use crate::skeleton::Skeleton;
 use crate::skeleton::handmade::{annulus, clearance, disc, ell, neck, rectangle};
+use crate::skeleton::{EdgeId, Skeleton};
 
 fn at(skeleton: &Skeleton, d: f64) -> Offset {
     VoronoiOffsetter::new(skeleton).offset(d, &OffsetOptions::default()).unwrap()
@@ -132,5 +135,36 @@ fn distances_that_are_no_lengths_are_refused() {
     let offsetter = VoronoiOffsetter::new(&skeleton);
     for d in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         assert!(matches!(offsetter.offset(d, &OffsetOptions::default()), Err(OffsetError::Distance(_))));
+    }
+}
+
+/// Bulges rounded to nine decimals turn half circles about one centre into arcs of a little more than half a turn about two:
+/// the middle between them was drawn on the other side of the centres, through the walls. A link of bootstrap-icons'
+/// `link-45deg` (MIT).
+#[test]
+fn the_middle_between_arcs_of_half_a_turn_stays_between_them() {
+    let link = [
+        [41.1625, 70.8, 0.517_547_843],
+        [46.3375, 40.625, 0.0],
+        [51.18125, 45.475, -0.577_279_646],
+        [45.58125, 66.3875, 0.0],
+        [57.0, 77.8125, -1.0],
+        [74.6875, 60.125, 0.0],
+        [69.73125, 55.175, -0.040_380_543],
+        [70.456_747, 51.185_485, -0.040_418_673],
+        [70.53125, 47.13125, 0.0],
+        [79.10625, 55.70625, 1.000_000_013],
+        [52.5875, 82.225, 0.0],
+    ];
+    let region = repair::build(vec![Contour::from_vertices(&link)], &RepairOptions::default()).unwrap().region;
+    let (skeleton, walls) = (Skeleton::build(&region).unwrap(), Boundary::new(&region));
+    for edge in 0..skeleton.edge_count() as EdgeId {
+        let curve = EdgeCurve::new(&skeleton, 2 * edge);
+        let (low, high) = (curve.low().clearance, curve.high().clearance);
+        let lower_half = curve.between(low, low.midpoint(high), 1e-4);
+        for s in [curve.whole(true, 1e-4), curve.whole(false, 1e-4), lower_half].concat() {
+            let off = (walls.signed_distance(s.at(0.5)) - curve.clearance(s.at(0.5))).abs();
+            assert!(off < 1e-3, "{s:?} is {off} off");
+        }
     }
 }
