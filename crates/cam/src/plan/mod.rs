@@ -45,7 +45,7 @@ use pocketry_geom::skeleton::trees::Trees;
 use ways::SkeletonWays;
 
 pub(crate) use moves::{Writer, helix_of, oriented, ramp_of};
-pub(crate) use track::{Cut, Landing, Track, shorter_way};
+pub(crate) use track::{Cut, Landing, Track, length_of, shorter_way};
 
 pub use cleanup::{Cleanup, Uncut};
 pub use pairwise::plan_pairwise;

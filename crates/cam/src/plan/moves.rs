@@ -3,6 +3,7 @@
 use super::levels::Levels;
 use super::order::{Chain, Start, Step};
 use super::report::{EntryKind, Group, Link, Plan, PlannedLoop, Warning};
+use super::track::length_of;
 use crate::job::PocketJob;
 use pocketry_geom::{Point, Segment, Vec2, vec2};
 use pocketry_motion::{Direction, FeedKind, Move, Point3};
@@ -71,7 +72,7 @@ impl<'a> Travelled<'a> {
     /// Where the tool goes down.
     fn entry_point(&self) -> Point {
         match self.entry {
-            _ if matches!(self.chain.start, Start::Tip { .. }) => self.chain.steps[0].link[0].start(),
+            _ if self.chain.is_from_tip() => self.chain.steps[0].link[0].start(),
             EntryKind::Helix { center, radius } => center + self.outward(center) * radius,
             EntryKind::Ramp | EntryKind::Plunge => self.chain.steps[0].cut.start,
         }
@@ -86,7 +87,7 @@ impl<'a> Travelled<'a> {
     /// The ways to each cut as travelled: the entry's link starts on the helix, or is none.
     fn links(&self) -> Vec<Vec<Segment>> {
         let mut links: Vec<Vec<Segment>> = self.chain.steps.iter().map(|s| s.link.clone()).collect();
-        if matches!(self.chain.start, Start::Tip { .. }) {
+        if self.chain.is_from_tip() {
             return links;
         }
         let (from, to) = (self.entry_point(), self.chain.steps[0].cut.start);
@@ -252,7 +253,7 @@ fn turns(job: &PocketJob, start: Point, center: Point, radius: f64, from: f64, f
 
 /// From a height down to a floor along whole rounds of a closed path.
 pub(super) fn rounds(job: &PocketJob, path: &[Segment], from: f64, floor: f64) -> Vec<Move> {
-    let length: f64 = path.iter().map(Segment::length).sum();
+    let length = length_of(path);
     let count = ((from - floor) / (length * job.entry.angle.tan())).ceil().max(1.0);
     let mut moves = Vec::new();
     for round in 0..count as usize {

@@ -49,6 +49,13 @@ pub(super) struct Chain {
     pub(super) pocket: usize,
 }
 
+impl Chain {
+    /// Whether it starts at the tip of a clean-up path.
+    pub(super) const fn is_from_tip(&self) -> bool {
+        matches!(self.start, Start::Tip { .. })
+    }
+}
+
 /// Puts tracks in order.
 pub(super) struct Orderer<'a> {
     ways: &'a dyn Ways,
@@ -86,7 +93,7 @@ impl<'a> Orderer<'a> {
     pub(super) fn chains(&self) -> Vec<Chain> {
         let of_root = |(pocket, &root): (usize, &u32)| {
             let from_tips = self.chains_of(root, pocket, true);
-            if from_tips.iter().all(|c| !matches!(c.start, Start::Tip { .. })) {
+            if !from_tips.iter().any(Chain::is_from_tip) {
                 return from_tips;
             }
             let others = self.chains_of(root, pocket, false);
@@ -151,10 +158,9 @@ impl<'a> Orderer<'a> {
         let clearance = peak.as_ref().filter(|_| landing.is_some()).map(|p| p.clearance);
         let clearance = clearance.unwrap_or(self.levels.tracks[track as usize].distance);
         let entrance = self.levels.tracks[track as usize].entrance.as_ref();
-        if let Some(Entrance { way, helix, segment, at }) = entrance.filter(|_| from_tips) {
-            let start = Start::Tip { helix: *helix, cleanup: way.cleanup };
-            let landing = Landing { track, segment: *segment, point: *at };
-            let step = self.step(landing, way.segments.clone(), LinkKind::CleanUp);
+        if let Some(Entrance { way, helix, cleanup, landing }) = entrance.filter(|_| from_tips) {
+            let start = Start::Tip { helix: *helix, cleanup: *cleanup };
+            let step = self.step(*landing, way.clone(), LinkKind::CleanUp);
             return Chain { start, clearance, steps: vec![step], pocket };
         }
         let link = match (&peak, landing) {

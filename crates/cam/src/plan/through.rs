@@ -7,7 +7,7 @@
 
 use super::levels::Levels;
 use super::order::{Chain, Orderer, Step};
-use super::{Landing, LinkKind};
+use super::{Landing, LinkKind, length_of};
 use pocketry_geom::offset::voronoi::Gate;
 use pocketry_geom::skeleton::trees::DisjointSets;
 use pocketry_geom::subpockets::Subpockets;
@@ -94,7 +94,7 @@ impl Orderer<'_> {
             link.append(&mut self.way_along(track, from, to)?);
             from = to;
         }
-        let length: f64 = link.iter().map(Segment::length).sum();
+        let length = length_of(&link);
         if entrance.gates.len() > 1 && length > longest {
             return None;
         }

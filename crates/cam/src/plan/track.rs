@@ -25,25 +25,26 @@ pub(crate) struct Track {
     pub(crate) entrance: Option<Entrance>,
 }
 
-/// A detour of a track by which the tool may come in: the way in then, and where on the track it leads.
+/// A detour of a track by which the tool may come in.
 #[derive(Clone, Debug)]
 pub(crate) struct Entrance {
-    pub(crate) way: WayIn,
-    /// Radius of the helix down to its tip, mm.
+    /// From the detour's tip to the track.
+    pub(crate) way: Vec<Segment>,
+    /// Radius of the helix down to the tip, mm.
     pub(crate) helix: f64,
-    pub(crate) segment: usize,
-    pub(crate) at: Point,
-}
-
-/// The second half of a tour. The tool that comes in by it need not travel the first one.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct WayIn {
-    /// From the tour's tip to its start.
-    pub(crate) segments: Vec<Segment>,
-    /// Clearance at the tip, at the least, mm.
-    pub(crate) clearance: f64,
     /// Which clean-up path it is.
     pub(crate) cleanup: usize,
+    /// Where on the track it leads.
+    pub(crate) landing: Landing,
+}
+
+/// The tip of a tour. The tool that comes in there need not travel what lies before it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Tip {
+    /// The tour's segment that starts there.
+    pub(crate) segment: usize,
+    /// Clearance, at the least, mm.
+    pub(crate) clearance: f64,
 }
 
 /// A tour from a point of a track and back to it.
@@ -56,8 +57,8 @@ pub(crate) struct Insertion {
     pub(crate) tour: Vec<Segment>,
     /// Clearance on the tour, at the least, mm.
     pub(crate) clearance: f64,
-    /// How the tool may come in instead.
-    pub(crate) way_in: Option<WayIn>,
+    /// Where the tool may come in.
+    pub(crate) tip: Option<Tip>,
 }
 
 impl Insertion {

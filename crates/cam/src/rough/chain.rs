@@ -8,7 +8,7 @@ use super::forest::{Area, Forest};
 use super::job::RoughJob;
 use super::level::Level;
 use crate::PocketJob;
-use crate::plan::{EntryKind, Group, Link, LinkKind, PlannedLoop, oriented, shorter_way};
+use crate::plan::{EntryKind, Group, Link, LinkKind, PlannedLoop, length_of, oriented, shorter_way};
 use pocketry_geom::distance::Boundary;
 use pocketry_geom::index::SegmentIndex;
 use pocketry_geom::offset::Offset;
@@ -135,7 +135,7 @@ impl Chains<'_> {
         };
         if entry == EntryKind::Plunge {
             let (z, x, y, least) = (self.level.z, start.x, start.y, self.job.entry.least_ramp * self.job.tool.radius());
-            let length = length(path);
+            let length = length_of(path);
             self.level.warnings.push(format!(
                 "level z {z:.3} mm: plunge at ({x:.3}, {y:.3}): the loop there is {length:.1} mm long, {least:.1} mm would do for a ramp, \
                  and no helix fits; use a tool that cuts to its centre"
@@ -164,7 +164,7 @@ impl Chains<'_> {
         if helix >= least && reach > 0.0 && clear() {
             return EntryKind::Helix { center, radius: helix };
         }
-        if length(path) >= self.job.entry.least_ramp * tool { EntryKind::Ramp } else { EntryKind::Plunge }
+        if length_of(path) >= self.job.entry.least_ramp * tool { EntryKind::Ramp } else { EntryKind::Plunge }
     }
 
     fn push(&mut self, landing: Landing, group: usize) {
@@ -174,10 +174,6 @@ impl Chains<'_> {
         let (distance, level) = (track.distance, track.level);
         self.level.loops.push(PlannedLoop { segments, distance, level, group, degenerate: false });
     }
-}
-
-fn length(path: &[Segment]) -> f64 {
-    path.iter().map(Segment::length).sum()
 }
 
 /// A closed path from a place on it.

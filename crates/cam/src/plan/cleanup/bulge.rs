@@ -16,9 +16,10 @@
 //! As with a drop ([`super::rounded`]) there has to be [`Room`] for it.
 
 use super::rounded::{Room, axis, hull_points};
+use crate::plan::length_of;
 use pocketry_geom::offset::degenerate_slack;
 use pocketry_geom::{Arc, Point, Segment, Vec2};
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Radii of the tip circle that are tried, as shares of the tool's: larger ones hold tours that bend, smaller ones leave where little
 /// of the sides may be replaced.
@@ -90,7 +91,7 @@ impl Corner<'_> {
         if turn <= 0.0 {
             return None;
         }
-        let half = 0.5 * (std::f64::consts::PI - turn);
+        let half = 0.5 * (PI - turn);
         let most = REPLACED * self.free.min(self.radius).min(self.radius / half.tan());
         let bend = self.side(false, most)?.bend.max(self.side(true, most)?.bend);
         if bend > CROOKED || half + 2.0 * bend >= FRAC_PI_2 {
@@ -100,8 +101,7 @@ impl Corner<'_> {
         let sides = [self.side(false, length)?, self.side(true, length)?];
         let outward = axis(before, after, true);
         let path = TIPS.iter().find_map(|share| self.around(tour, &sides, outward, share * self.radius))?;
-        let replaced = 2.0 * length;
-        let extra = path.iter().map(Segment::length).sum::<f64>() - replaced;
+        let extra = length_of(&path) - 2.0 * length;
         let [from, to] = sides.map(|s| s.place);
         Some(Bulge { from, to, path, extra })
     }
@@ -168,8 +168,8 @@ impl Corner<'_> {
             is_outside && touches.iter().all(is_inward) && (is_before || p.distance(center) <= radius + slack)
         };
         let is_inside = |s: &Segment| [&first, &last].iter().all(|b| s.distance(b.center) >= b.radius - slack);
-        let mut replaced = tour.iter().chain(sides.iter().flat_map(|s| &s.replaced));
-        if !hull_points(tour).all(is_held) || !replaced.all(is_inside) {
+        let replaced: Vec<Segment> = tour.iter().chain(sides.iter().flat_map(|s| &s.replaced)).copied().collect();
+        if !hull_points(tour).all(is_held) || !replaced.iter().all(is_inside) {
             return None;
         }
         let arc = |start, end, center, radius, ccw| Segment::Arc(Arc { start, end, center, radius, ccw });
@@ -183,8 +183,7 @@ impl Corner<'_> {
             arc(last.line[0], b, last.center, last.radius, false),
         ];
         let is_short = |s: &Segment| if let Segment::Arc(a) = s { a.sweep().abs() < MOST_TURN } else { true };
-        let known: Vec<Segment> = tour.iter().chain(sides.iter().flat_map(|s| &s.replaced)).copied().collect();
-        let fits = path.iter().all(is_short) && self.room.holds(&path, &known, center_at + radius);
+        let fits = path.iter().all(is_short) && self.room.holds(&path, &replaced, center_at + radius);
         fits.then(|| path.into_iter().filter(|s| s.start() != s.end()).collect())
     }
 }

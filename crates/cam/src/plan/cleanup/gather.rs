@@ -5,7 +5,7 @@ use super::prune::{Tour, tours};
 use super::{Cleanup, Exit, Piece, Place, Uncut, Way, trusted};
 use crate::link::fitted;
 use crate::plan::order::Orderer;
-use crate::plan::track::{Insertion, WayIn};
+use crate::plan::track::{Insertion, Tip};
 use pocketry_geom::offset::degenerate_slack;
 use pocketry_geom::{Point, Segment};
 
@@ -18,7 +18,7 @@ const FIT_SHARE: f64 = 0.25;
 /// What clean-up takes.
 #[derive(Debug, Default)]
 pub(crate) struct Gathered {
-    /// Tracks with their detours.
+    /// Tracks with their detours, one for each of the clean-up paths.
     pub(super) insertions: Vec<(u32, Insertion)>,
     pub(super) cleanups: Vec<Cleanup>,
 }
@@ -30,8 +30,7 @@ impl Gathered {
     }
 
     /// Adds a detour, which has segments, of a track.
-    pub(crate) fn add(&mut self, kind: Uncut, track: u32, mut insertion: Insertion) {
-        insertion.way_in.iter_mut().for_each(|w| w.cleanup = self.cleanups.len());
+    pub(crate) fn add(&mut self, kind: Uncut, track: u32, insertion: Insertion) {
         self.cleanups.push(Cleanup { kind, start: insertion.tour[0].start(), length: insertion.length() });
         self.insertions.push((track, insertion));
     }
@@ -74,12 +73,9 @@ fn insertion(
 ) -> Option<Insertion> {
     let fitted = |path: &[Segment]| fitted(path, FIT_SHARE * degenerate_slack(radius));
     let (mut path, back) = (fitted(&tour.out), fitted(&tour.back));
-    path.extend(&back);
-    if path.is_empty() {
-        return None;
-    }
-    let way_in = Some(WayIn { segments: back, clearance: at_tip, cleanup: 0 });
-    Some(Insertion { segment, at, tour: path, clearance: least, way_in })
+    let tip = Some(Tip { segment: path.len(), clearance: at_tip });
+    path.extend(back);
+    (!path.is_empty()).then_some(Insertion { segment, at, tour: path, clearance: least, tip })
 }
 
 /// The path of a piece without inner loops: from the outer one, straight away from the wall, and from there.

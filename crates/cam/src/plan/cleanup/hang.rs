@@ -6,7 +6,7 @@ use super::{Cleanup, Gathered, trusted};
 use crate::job::PocketJob;
 use crate::plan::levels::Levels;
 use crate::plan::order::{Chain, Start};
-use crate::plan::track::{Cut, Entrance, Insertion, length_of};
+use crate::plan::track::{Cut, Entrance, Insertion, Landing, length_of};
 use pocketry_geom::{Point, Segment};
 
 /// Share of the loop between two clean-up paths that the bulges of both may replace, each.
@@ -22,14 +22,16 @@ const WORTH: f64 = 0.5;
 /// Lets chains start at tips of clean-up paths: for each loop that of the path whose way in is longest, where there is room to go
 /// down, and it pays. The first loops lie at the distance `first`.
 pub(crate) fn mark_entrances(levels: &mut Levels, gathered: &Gathered, job: &PocketJob, first: f64) {
-    for (track, insertion) in &gathered.insertions {
-        let track = &mut levels.tracks[*track as usize];
-        let Some(way) = &insertion.way_in else { continue };
-        let Some(helix) = tip_helix(way.clearance, job, first) else { continue };
-        let longest = track.entrance.as_ref().map_or(0.0, |e| length_of(&e.way.segments));
-        if length_of(&way.segments) > longest.max(WORTH * job.tool.radius()) {
-            let at = insertion.at.unwrap_or(track.segments[insertion.segment].start());
-            track.entrance = Some(Entrance { way: way.clone(), helix, segment: insertion.segment, at });
+    for (cleanup, &(number, ref insertion)) in gathered.insertions.iter().enumerate() {
+        let track = &mut levels.tracks[number as usize];
+        let Some(tip) = insertion.tip else { continue };
+        let Some(helix) = tip_helix(tip.clearance, job, first) else { continue };
+        let way = &insertion.tour[tip.segment..];
+        let longest = track.entrance.as_ref().map_or(0.0, |e| length_of(&e.way));
+        if length_of(way) > longest.max(WORTH * job.tool.radius()) {
+            let point = insertion.at.unwrap_or(track.segments[insertion.segment].start());
+            let landing = Landing { track: number, segment: insertion.segment, point };
+            track.entrance = Some(Entrance { way: way.to_vec(), helix, cleanup, landing });
         }
     }
 }

@@ -8,6 +8,7 @@
 //! Clearance falls no faster than way is made. So a drop is as clear of walls as the outermost loop when its tip is no farther from
 //! the corner than the loop lies inside that one, or no place of it farther from the path than that keeps to spare ([`Room`]).
 
+use crate::plan::length_of;
 use pocketry_geom::{Arc, Point, Segment, Vec2};
 
 /// So many times as long as the path that it replaces a drop may be: half a circle's length over its diameter, and no more.
@@ -74,8 +75,7 @@ pub(super) fn drop_around(
     let arc = |start, end| Segment::Arc(Arc { start, end, center, radius, ccw: !turns_left });
     let path = [Segment::line(corner, start), arc(start, farthest), arc(farthest, end), Segment::line(end, corner)];
     let drop: Vec<Segment> = path.into_iter().filter(|s| s.start() != s.end()).collect();
-    let length = |path: &[Segment]| path.iter().map(Segment::length).sum::<f64>();
-    (length(&drop) <= LONGEST * length(tour) && room.holds(&drop, tour, tip_at)).then_some(drop)
+    (length_of(&drop) <= LONGEST * length_of(tour) && room.holds(&drop, tour, tip_at)).then_some(drop)
 }
 
 /// The circle about a straight path, out and back, that leaves square to a smooth place of a loop which is travelled in these

@@ -78,8 +78,7 @@ impl Ways for StraightWays<'_> {
     }
 }
 
-/// Segments of a loop at whose starts a wall's part of it begins, and the box of these: clean-up paths, and where they leave, make no
-/// difference, so that a plan lifts the tool where it does without them.
+/// Segments of a loop at whose starts a wall's part of it begins, and the box of these: where the tool enters it makes no difference.
 fn own_starts(segments: &[Segment], sites: &[SiteId]) -> (Vec<usize>, BBox) {
     let mut before = NONE;
     let mut begins = |&(_, &site): &(usize, &SiteId)| site != NONE && std::mem::replace(&mut before, site) != site;

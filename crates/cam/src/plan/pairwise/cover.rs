@@ -64,7 +64,7 @@ pub(super) fn complete(
             let spokes = swept.spokes(ground, curve);
             for (landing, tour) in spokes.iter().filter_map(|spoke| spoke.hung(ground, orderer)) {
                 let (segment, at) = (landing.segment, Some(landing.point));
-                let insertion = Insertion { segment, at, tour, clearance: ground.base, way_in: None };
+                let insertion = Insertion { segment, at, tour, clearance: ground.base, tip: None };
                 gathered.add(kind, landing.track, insertion);
             }
         }

@@ -3,6 +3,7 @@
 use super::tree::Forest;
 use super::walk::Chain;
 use crate::job::PocketJob;
+use crate::plan::length_of;
 use crate::plan::moves::{Writer, at_every_depth, oriented, passes_of, rounds};
 use crate::plan::{EntryKind, Group, Link, Plan, PlannedLoop, Warning};
 use pocketry_geom::Segment;
@@ -34,7 +35,7 @@ impl<'a> Travelled<'a> {
     fn new(chain: &'a Chain, job: &'a PocketJob) -> Self {
         let cuts: Vec<Vec<Segment>> = chain.cuts.iter().map(|c| oriented(&c.segments, job.direction)).collect();
         // A helix would need room for the profile beside the loop; a ramp along the loop has it.
-        let long = cuts[0].iter().map(Segment::length).sum::<f64>() >= job.entry.least_ramp * job.tool.radius();
+        let long = length_of(&cuts[0]) >= job.entry.least_ramp * job.tool.radius();
         Self { chain, entry: if long { EntryKind::Ramp } else { EntryKind::Plunge }, cuts, job }
     }
 

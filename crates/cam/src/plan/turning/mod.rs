@@ -10,11 +10,12 @@
 //!    the shorter way round, in the air.
 //!
 //! **What is cut.** All that the profile covers at places where it touches a wall with its x axis along it, as those places are a
-//! parallel's runs; and where it does not fit so near, at the nearest place straight in from there. All points so far from the walls that the
-//! profile can turn freely about them: from such a point walk straight to its nearest wall; within a step one comes upon a parallel, at the latest that at the profile's reach, where all directions are free; the
-//! point lies straight ahead on the profile's y axis, within a step, and so in the profile. Places between are cut as far as the
-//! parallels lead there: straight in from a nearest place, every piece of the way on which it fits and that crosses no parallel is shorter than a
-//! step. What only a place can cut from which it fits no nearer nor farther, past an obstacle, may be left.
+//! parallel's runs; and where it does not fit so near, at the nearest place straight in from there. All points so far from the
+//! walls that the profile can turn freely about them: from such a point walk straight to its nearest wall; within a step one comes
+//! upon a parallel, at the latest that at the profile's reach, where all directions are free; the point lies straight ahead on the
+//! profile's y axis, within a step, and so in the profile. Places between are cut as far as the parallels lead there: straight in
+//! from a nearest place, every piece of the way on which it fits and that crosses no parallel is shorter than a step. What only a
+//! place can cut from which it fits no nearer nor farther, past an obstacle, may be left.
 
 mod moves;
 

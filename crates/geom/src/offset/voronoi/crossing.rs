@@ -20,7 +20,7 @@ const POLISH: usize = 3;
 const CHORD_DEPTH: usize = 12;
 
 /// The same as a number of chords of equal length.
-const MOST_CHORDS: f64 = 4096.0;
+const MOST_CHORDS: f64 = (1_u32 << CHORD_DEPTH) as f64;
 /// What counts as next to nothing beside a radius: how far apart centres lie, or a place from their common axis.
 const ECCENTRIC: f64 = 1.0 / 64.0;
 
@@ -133,16 +133,16 @@ impl EdgeCurve {
         if let Some(arc) = self.circular(start, end, upward) {
             return vec![Segment::Arc(arc)];
         }
-        let mut points = vec![start];
-        if let Some(around) = self.around(start, end, upward, by) {
-            return around;
-        }
-        if self.high.clearance - self.low.clearance <= FLAT_EDGE * self.scale() {
-            let ends = [start, end].map(|p| (self.share_of(p), p));
-            self.flat_chords(ends[0], ends[1], by, CHORD_DEPTH, &mut points);
-        } else {
-            self.chords(from, to, by, CHORD_DEPTH, &mut points);
-        }
+        let points = self.around(start, end, upward, by).unwrap_or_else(|| {
+            let mut points = vec![start];
+            if self.high.clearance - self.low.clearance <= FLAT_EDGE * self.scale() {
+                let ends = [start, end].map(|p| (self.share_of(p), p));
+                self.flat_chords(ends[0], ends[1], by, CHORD_DEPTH, &mut points);
+            } else {
+                self.chords(from, to, by, CHORD_DEPTH, &mut points);
+            }
+            points
+        });
         points.windows(2).filter(|w| w[0] != w[1]).map(|w| Segment::line(w[0], w[1])).collect()
     }
 
@@ -159,25 +159,29 @@ impl EdgeCurve {
         rise >= (1.0 - SPOKE_RATE) * self.low.point.distance(self.high.point)
     }
 
-    /// The arc of constant clearance between concentric sites; `upward` tells which of them lies to the right.
-    fn circular(&self, start: Point, end: Point, upward: bool) -> Option<Arc> {
+    /// The centres of both sites, and in which sense the edge leads around them; `upward` tells which of them lies to the right.
+    fn centers(&self, upward: bool) -> Option<([Point; 2], bool)> {
         let ((right, right_ccw), (left, left_ccw)) = (self.right.center()?, self.left.center()?);
+        Some(([right, left], if upward { right_ccw } else { left_ccw }))
+    }
+
+    /// The arc of constant clearance between concentric sites.
+    fn circular(&self, start: Point, end: Point, upward: bool) -> Option<Arc> {
+        let ([right, left], ccw) = self.centers(upward)?;
         let constant = self.high.clearance - self.low.clearance <= CROSSING * self.scale();
         let concentric = right.distance(left) <= CROSSING * self.scale();
-        let ccw = if upward { right_ccw } else { left_ccw };
         let radius = start.distance(right).midpoint(end.distance(right));
         (constant && concentric && radius > 0.0).then_some(Arc { start, end, center: right, radius, ccw })
     }
 
-    /// Chords of an edge that leads around two centres which are next to the same for more than a quarter of a turn: there the
+    /// Points of an edge that leads around two centres which are next to the same for more than a quarter of a turn: there the
     /// chord between its ends does not tell on which side of the centres it lies.
-    fn around(&self, start: Point, end: Point, upward: bool, by: Chording) -> Option<Vec<Segment>> {
-        let ((right, right_ccw), (left, left_ccw)) = (self.right.center()?, self.left.center()?);
-        let ccw = if upward { right_ccw } else { left_ccw };
+    fn around(&self, start: Point, end: Point, upward: bool, by: Chording) -> Option<Vec<Point>> {
+        let ([right, left], ccw) = self.centers(upward)?;
         let center = right.midpoint(left);
         let radius = start.distance(center).midpoint(end.distance(center));
         let arc = Arc { start, end, center, radius, ccw };
-        if start == end || right.distance(left) > ECCENTRIC * radius || arc.sweep().abs() <= FRAC_PI_2 {
+        if right.distance(left) > ECCENTRIC * radius || arc.sweep().abs() <= FRAC_PI_2 {
             return None;
         }
         let widest = 2.0 * (1.0 - 0.5 * by.tolerance / radius).clamp(0.0, 1.0).acos();
@@ -189,7 +193,7 @@ impl EdgeCurve {
             points.push(Some(found).filter(|p| p.distance(guess) <= ECCENTRIC * radius)?);
         }
         points.push(end);
-        Some(points.windows(2).filter(|w| w[0] != w[1]).map(|w| Segment::line(w[0], w[1])).collect())
+        Some(points)
     }
 
     fn chords(&self, a: (f64, Point), b: (f64, Point), by: Chording, depth: usize, out: &mut Vec<Point>) {
